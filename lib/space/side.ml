@@ -1,0 +1,3 @@
+type t = Outside | Inside [@@deriving show, eq, ord]
+
+let opposite = function Outside -> Inside | Inside -> Outside

@@ -1,0 +1,39 @@
+type t = { x : float; y : float; z : float } [@@deriving show, eq, ord]
+
+let[@inline] v x y z = { x; y; z }
+let zero = v 0. 0. 0.
+let[@inline] neg a = v (-.a.x) (-.a.y) (-.a.z)
+let[@inline] add a b = v (a.x +. b.x) (a.y +. b.y) (a.z +. b.z)
+let[@inline] sub a b = v (a.x -. b.x) (a.y -. b.y) (a.z -. b.z)
+let[@inline] scale k a = v (k *. a.x) (k *. a.y) (k *. a.z)
+let[@inline] dot a b = (a.x *. b.x) +. (a.y *. b.y) +. (a.z *. b.z)
+
+let[@inline] cross a b =
+  v
+    ((a.y *. b.z) -. (a.z *. b.y))
+    ((a.z *. b.x) -. (a.x *. b.z))
+    ((a.x *. b.y) -. (a.y *. b.x))
+
+let largest a =
+  let x = Float.abs a.x and y = Float.abs a.y and z = Float.abs a.z in
+  let m = if x > y then x else y in
+  if m > z then m else z
+
+(* Squares of numbers in this range neither overflow nor lose their bits. *)
+let safe m = m > 0x1p-400 && m < 0x1p400
+
+let norm a =
+  let m = largest a in
+  if m = 0. || not (Float.is_finite m) then m
+  else if safe m then sqrt (dot a a)
+  else
+    let _, e = Float.frexp m in
+    let a =
+      v (Float.ldexp a.x (-e)) (Float.ldexp a.y (-e)) (Float.ldexp a.z (-e))
+    in
+    Float.ldexp (sqrt (dot a a)) e
+
+let is_finite a =
+  Float.is_finite a.x && Float.is_finite a.y && Float.is_finite a.z
+
+let[@inline] get a i = if i = 0 then a.x else if i = 1 then a.y else a.z
