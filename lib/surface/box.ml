@@ -1,0 +1,147 @@
+open Candor_number
+open Candor_space
+
+type t = Bounds.t [@@deriving show, eq, ord]
+
+let make ~(min : Point.t) ~(max : Point.t) =
+  let flat =
+    List.length
+      (List.filter Fun.id [ min.x = max.x; min.y = max.y; min.z = max.z ])
+  in
+  if not (Reach.point min && Reach.point max) then Error Reach.message
+  else if min.x > max.x then Error "min is above max on the x axis"
+  else if min.y > max.y then Error "min is above max on the y axis"
+  else if min.z > max.z then Error "min is above max on the z axis"
+  else if flat >= 2 then
+    Error "min and max are equal on two axes: no face is left"
+  else Ok (Bounds.v min max)
+
+let bounds b = b
+
+(* Where the ray enters and leaves one slab. A ray along the slab is in it for
+   ever or never. Division, not the product with a reciprocal: it rounds once,
+   and is right for subnormal directions. *)
+let[@inline] enter lo hi o d =
+  if d > 0. then (lo -. o) /. d
+  else if d < 0. then (hi -. o) /. d
+  else if lo <= o && o <= hi then neg_infinity
+  else infinity
+
+let[@inline] leave lo hi o d =
+  if d > 0. then (hi -. o) /. d
+  else if d < 0. then (lo -. o) /. d
+  else if lo <= o && o <= hi then infinity
+  else neg_infinity
+
+let ends (b : Bounds.t) axis =
+  if axis = 0 then (b.x0, b.x1)
+  else if axis = 1 then (b.y0, b.y1)
+  else (b.z0, b.z1)
+
+(* Whether x <= y 2^e. Only what is of the same size is compared in full, and
+   the smaller one is shifted up, so that nothing leaves the range. *)
+let not_above x y e =
+  let sx = Expansion.sign x and sy = Expansion.sign y in
+  if sx <> sy || sx = 0 then sx <= sy
+  else
+    let size x = snd (Float.frexp (Expansion.to_float x)) in
+    let more = size x - (size y + e) in
+    if more > 1 then sx < 0
+    else if more < -1 then sx > 0
+    else
+      let x = if e < 0 then Expansion.shift (-e) x else x
+      and y = if e > 0 then Expansion.shift e y else y in
+      Expansion.sign (Expansion.sub x y) <= 0
+
+(* Whether the ray enters slab [i] no later than it leaves slab [j], exactly:
+   (p - o_i) / d_i <= (q - o_j) / d_j, multiplied out. *)
+let in_order b (o : Point.t) (d : Vec.t) i j =
+  let di = Vec.get d i and dj = Vec.get d j in
+  if i = j || di = 0. || dj = 0. then true
+  else
+    let oi = Point.get o i and oj = Point.get o j in
+    let low_i, high_i = ends b i and low_j, high_j = ends b j in
+    let p = if di > 0. then low_i else high_i in
+    let q = if dj > 0. then high_j else low_j in
+    (* Lengths are brought near 2^600, so that no bit of a product is lost. *)
+    let size x = snd (Float.frexp x) in
+    let most = Float.max (Float.abs p) (Float.abs q) in
+    let most = Float.max most (Float.max (Float.abs oi) (Float.abs oj)) in
+    let length x = Float.ldexp x (600 - size most) in
+    let unit x = Expansion.of_float (Float.ldexp x (-size x)) in
+    let near = Expansion.diff (length p) (length oi)
+    and far = Expansion.diff (length q) (length oj) in
+    let near = Expansion.mul near (unit (Float.abs dj))
+    and far = Expansion.mul far (unit (Float.abs di)) in
+    let near = if di > 0. then near else Expansion.neg near
+    and far = if dj > 0. then far else Expansion.neg far in
+    not_above near far (size di - size dj)
+
+let passes_exactly b o d =
+  let pairs = [ (0, 1); (0, 2); (1, 0); (1, 2); (2, 0); (2, 1) ] in
+  List.for_all (fun (i, j) -> in_order b o d i j) pairs
+
+let[@inline] entered axis (d : Vec.t) =
+  Contact.v ~part:((2 * axis) + if Vec.get d axis > 0. then 0 else 1) Outside
+
+let[@inline] left_by axis (d : Vec.t) =
+  Contact.v ~part:((2 * axis) + if Vec.get d axis > 0. then 1 else 0) Inside
+
+let meet_freely (b : Bounds.t) (o : Point.t) (d : Vec.t) ~inside cursor =
+  let nx = enter b.x0 b.x1 o.x d.x and fx = leave b.x0 b.x1 o.x d.x in
+  let ny = enter b.y0 b.y1 o.y d.y and fy = leave b.y0 b.y1 o.y d.y in
+  let nz = enter b.z0 b.z1 o.z d.z and fz = leave b.z0 b.z1 o.z d.z in
+  let near = if ny > nx then ny else nx in
+  let near = if nz > near then nz else near in
+  let far = if fy < fx then fy else fx in
+  let far = if fz < far then fz else far in
+  (* Each end is within 1.5 ulp, so only a near tie needs the exact test; below
+     the normal numbers an ulp is 2^-1074. *)
+  let slack = (0x1p-50 *. Float.abs near) +. 0x1p-1072 in
+  if not (near < infinity && near <= far +. slack) then Contact.none
+  else if (not (near < far -. slack)) && not (passes_exactly b o d) then
+    Contact.none
+  else if near > 0. && not inside then
+    let axis = if nx = near then 0 else if ny = near then 1 else 2 in
+    Cursor.take cursor near (entered axis d)
+  else
+    let axis = if fx = far then 0 else if fy = far then 1 else 2 in
+    Cursor.take cursor far (left_by axis d)
+
+let meet b o d left cursor =
+  if Contact.is_none left then meet_freely b o d ~inside:false cursor
+  else
+    match Contact.side left with
+    | Outside -> Contact.none
+    | Inside -> meet_freely b o d ~inside:true cursor
+
+let locate (b : Bounds.t) o d t contact =
+  let part = Contact.part contact in
+  let axis = part / 2 and high = part land 1 = 1 in
+  let low_end, high_end = ends b axis in
+  let face = if high then high_end else low_end in
+  let on i p = if i = axis then face else p in
+  let { Point.x; y; z } = Point.along o d t in
+  let point = Point.v (on 0 x) (on 1 y) (on 2 z) in
+  let outward = if axis = 0 then Dir.x else if axis = 1 then Dir.y else Dir.z in
+  (* t is off by 1.5 ulp and the product and sum round once. *)
+  let error i =
+    if i = axis then 0.
+    else
+      let travel = Float.abs (t *. Vec.get d i) in
+      (3. *. 0x1p-53 *. travel) +. (0x1p-53 *. Float.abs (Point.get point i))
+  in
+  let across i =
+    let lo, hi = ends b i in
+    if hi > lo then (Point.get point i -. lo) /. (hi -. lo) else 0.
+  in
+  let first = if axis = 0 then 1 else 0 in
+  let second = if axis = 2 then 1 else 2 in
+  {
+    Local.point;
+    normal = (if high then outward else Dir.neg outward);
+    error = Vec.v (error 0) (error 1) (error 2);
+    flat = true;
+    uv = lazy (Some (across first, across second));
+    shading_normal = None;
+  }

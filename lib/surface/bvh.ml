@@ -1,0 +1,146 @@
+open Candor_space
+
+type 'a t = {
+  tree : Tree.t;
+  items : 'a array; (* in the order of the leaves, then those outside *)
+  index : int array; (* where each stood in the array given *)
+  unbounded : int; (* how many of the last items are outside of the tree *)
+  whole : Bounds.t;
+}
+
+let bounds h = h.whole
+
+type kind = Absent | Bounded | Unbounded
+
+let kind (b : Bounds.t) =
+  if b.x0 > b.x1 then Absent
+  else if Bounds.is_finite b then Bounded
+  else Unbounded
+
+let make ~bounds items =
+  let n = Array.length items in
+  let boxes = Box_array.create n in
+  let whole = ref Bounds.empty in
+  let measure i item =
+    let b = bounds item in
+    Box_array.set boxes i b;
+    whole := Bounds.join !whole b;
+    kind b
+  in
+  let kinds = Array.mapi measure items in
+  let places wanted =
+    let place i k = if k = wanted then Some i else None in
+    Array.of_seq (Seq.filter_map Fun.id (Seq.mapi place (Array.to_seq kinds)))
+  in
+  let tree = Tree.build boxes (places Bounded) and outside = places Unbounded in
+  let index = Array.append tree.order outside in
+  {
+    tree;
+    items = Array.map (fun i -> items.(i)) index;
+    index;
+    unbounded = Array.length outside;
+    whole = !whole;
+  }
+
+(* {1 Visiting} *)
+
+(* The ray, with the reciprocals that the slab test multiplies by. *)
+type probe = {
+  ox : float;
+  oy : float;
+  oz : float;
+  ix : float;
+  iy : float;
+  iz : float;
+}
+
+(* A visit under way. The ray enters slabs at the ends that near_x .. near_z
+   name within a node's box, and leaves them at the other ends. *)
+type ('a, 'context) walk = {
+  boxes : Box_array.t;
+  links : int array;
+  items : 'a array;
+  index : int array;
+  probe : probe;
+  near_x : int;
+  near_y : int;
+  near_z : int;
+  cursor : Cursor.t;
+  context : 'context;
+  test : 'context -> int -> 'a -> bool;
+}
+
+(* Each end of a slab is off by at most three roundings (M. Pharr, W. Jakob, G.
+   Humphreys, Physically Based Rendering, 4th ed., 6.8): widening the far end by
+   twice that makes the test conservative. *)
+let far_factor = 1. +. (2. *. (3. *. 0x1p-53 /. (1. -. (3. *. 0x1p-53))))
+
+(* Comparisons are written so that a nan (the origin in a face, the ray along
+   it) leaves the interval as it was, on every axis. *)
+let[@inline] meets w n =
+  let b = w.boxes and p = w.probe in
+  let n = 6 * n in
+  let near = (Float.Array.unsafe_get b (n + w.near_x) -. p.ox) *. p.ix
+  and far =
+    (Float.Array.unsafe_get b (n + (w.near_x lxor 1)) -. p.ox) *. p.ix
+  in
+  let t0 = if near > 0. then near else 0.
+  and t1 = if far < w.cursor.t then far else w.cursor.t in
+  let near = (Float.Array.unsafe_get b (n + w.near_y) -. p.oy) *. p.iy
+  and far =
+    (Float.Array.unsafe_get b (n + (w.near_y lxor 1)) -. p.oy) *. p.iy
+  in
+  let t0 = if near > t0 then near else t0
+  and t1 = if far < t1 then far else t1 in
+  let near = (Float.Array.unsafe_get b (n + w.near_z) -. p.oz) *. p.iz
+  and far =
+    (Float.Array.unsafe_get b (n + (w.near_z lxor 1)) -. p.oz) *. p.iz
+  in
+  let t0 = if near > t0 then near else t0
+  and t1 = if far < t1 then far else t1 in
+  t0 <= t1 *. far_factor
+
+let descending w axis =
+  (if axis = 0 then w.near_x else if axis = 1 then w.near_y else w.near_z)
+  land 1
+  = 1
+
+let rec visit_items w from until =
+  from < until
+  && (w.test w.context
+        (Array.unsafe_get w.index from)
+        (Array.unsafe_get w.items from)
+     || visit_items w (from + 1) until)
+
+let rec visit_node w n =
+  meets w n
+  &&
+  let link = Array.unsafe_get w.links n in
+  if Tree.is_leaf link then
+    let first = Tree.first link in
+    visit_items w first (first + Tree.count link)
+  else if descending w (Tree.axis link) then
+    visit_node w (Tree.high_child link) || visit_node w (n + 1)
+  else visit_node w (n + 1) || visit_node w (Tree.high_child link)
+
+let visit h (o : Point.t) (d : Vec.t) cursor context test =
+  let ix = 1. /. d.x and iy = 1. /. d.y and iz = 1. /. d.z in
+  let end_of i = if i >= 0. then 0 else 1 in
+  let w =
+    {
+      boxes = h.tree.boxes;
+      links = h.tree.links;
+      items = h.items;
+      index = h.index;
+      probe = { ox = o.x; oy = o.y; oz = o.z; ix; iy; iz };
+      near_x = end_of ix;
+      near_y = 2 + end_of iy;
+      near_z = 4 + end_of iz;
+      cursor;
+      context;
+      test;
+    }
+  in
+  let n = Array.length h.items in
+  visit_items w (n - h.unbounded) n
+  || (Array.length h.tree.links > 0 && visit_node w 0)

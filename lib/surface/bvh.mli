@@ -1,0 +1,33 @@
+(** Bounding volume hierarchies over any kind of item.
+
+    Built by the surface-area heuristic on bins (I. Wald,
+    {e On fast Construction of SAH-based Bounding Volume Hierarchies}, 2007),
+    the same tree for the same items in the same order. *)
+
+open Candor_space
+
+type 'a t
+
+val make : bounds:('a -> Bounds.t) -> 'a array -> 'a t
+(** [make ~bounds items] is a hierarchy over [items], in time O(n log n) even
+    when all centres coincide. Items whose bounds are not finite are kept
+    outside of the tree and visited first. *)
+
+val bounds : 'a t -> Bounds.t
+(** [bounds h] is a box that holds every item; empty if there is none. *)
+
+val visit :
+  'a t ->
+  Point.t ->
+  Vec.t ->
+  Cursor.t ->
+  'context ->
+  ('context -> int -> 'a -> bool) ->
+  bool
+(** [visit h o d cursor context test] calls [test context i item] on every item
+    whose bounds the ray from [o] along [d] meets at 0 ≤ t ≤ cursor.t, nearer
+    ones first as far as the tree knows, until one answers [true] or none is
+    left; it is whether one did. [i] is the item's index in what {!make} was
+    given. [test] may move [cursor]; boxes beyond it are passed over.
+
+    Conservative: no item that the ray meets is left out for rounding. *)

@@ -1,0 +1,215 @@
+open Candor_number
+open Candor_space
+
+type t = {
+  cx : float;
+  cy : float;
+  cz : float;
+  axx : float;
+  ayy : float;
+  azz : float;
+  axy : float;
+  axz : float;
+  ayz : float;
+  gx : float;
+  gy : float;
+  gz : float;
+  k : float;
+  a_size : float;
+  g_size : float;
+}
+[@@deriving show, eq, ord]
+
+let nothing =
+  {
+    cx = 0.;
+    cy = 0.;
+    cz = 0.;
+    axx = 0.;
+    ayy = 0.;
+    azz = 0.;
+    axy = 0.;
+    axz = 0.;
+    ayz = 0.;
+    gx = 0.;
+    gy = 0.;
+    gz = 0.;
+    k = 0.;
+    a_size = 0.;
+    g_size = 0.;
+  }
+
+let is_linear f =
+  f.axx = 0. && f.ayy = 0. && f.azz = 0. && f.axy = 0. && f.axz = 0.
+  && f.ayz = 0.
+
+let is_constant f = is_linear f && f.gx = 0. && f.gy = 0. && f.gz = 0.
+let center f = Point.v f.cx f.cy f.cz
+
+let sized f =
+  let abs = Float.abs in
+  {
+    f with
+    a_size =
+      abs f.axx +. abs f.ayy +. abs f.azz
+      +. (2. *. (abs f.axy +. abs f.axz +. abs f.ayz));
+    g_size = abs f.gx +. abs f.gy +. abs f.gz;
+  }
+
+let about (p : Point.t) f = { f with cx = p.x; cy = p.y; cz = p.z }
+
+(* identity - s v vT *)
+let across (v : Vec.t) s =
+  {
+    nothing with
+    axx = 1. -. (s *. v.x *. v.x);
+    ayy = 1. -. (s *. v.y *. v.y);
+    azz = 1. -. (s *. v.z *. v.z);
+    axy = -.(s *. v.x *. v.y);
+    axz = -.(s *. v.x *. v.z);
+    ayz = -.(s *. v.y *. v.z);
+  }
+
+let diagonal x y z = { nothing with axx = x; ayy = y; azz = z }
+let squares (r : Vec.t) = (r.x *. r.x, r.y *. r.y, r.z *. r.z)
+
+let raw : Quadric_shape.t -> t = function
+  | Matrix q ->
+      {
+        nothing with
+        axx = q.(0);
+        ayy = q.(5);
+        azz = q.(10);
+        axy = q.(1);
+        axz = q.(2);
+        ayz = q.(6);
+        gx = q.(3);
+        gy = q.(7);
+        gz = q.(11);
+        k = q.(15);
+      }
+  | Form { a; b; c } ->
+      {
+        nothing with
+        axx = a.(0);
+        ayy = a.(4);
+        azz = a.(8);
+        axy = a.(1);
+        axz = a.(2);
+        ayz = a.(5);
+        gx = -.b.x;
+        gy = -.b.y;
+        gz = -.b.z;
+        k = c;
+      }
+  | Plane { normal = n; offset } ->
+      {
+        nothing with
+        gx = n.x /. 2.;
+        gy = n.y /. 2.;
+        gz = n.z /. 2.;
+        k = -.offset;
+      }
+  | Ellipsoid { center; radii } ->
+      let x, y, z = squares radii in
+      about center { (diagonal (1. /. x) (1. /. y) (1. /. z)) with k = -1. }
+  | Cylinder { from; until; radius } ->
+      let v = Point.sub until from in
+      about from
+        { (across v (1. /. Vec.dot v v)) with k = -.(radius *. radius) }
+  | Cone { apex; base; radius } ->
+      let v = Point.sub base apex in
+      let l2 = Vec.dot v v in
+      about apex (across v ((1. +. (radius *. radius /. l2)) /. l2))
+  | Paraboloid { apex; base; radius } ->
+      let v = Point.sub base apex in
+      let l2 = Vec.dot v v in
+      let s = -.(radius *. radius) /. (2. *. l2) in
+      about apex
+        {
+          (across v (1. /. l2)) with
+          gx = s *. v.x;
+          gy = s *. v.y;
+          gz = s *. v.z;
+        }
+  | Hyperbolic_paraboloid { center; radii } ->
+      let x, y, _ = squares radii in
+      about center
+        { (diagonal (1. /. x) (-1. /. y) 0.) with gz = -0.5 /. radii.z }
+  | Hyperboloid_one_sheet { center; radii } ->
+      let x, y, z = squares radii in
+      about center { (diagonal (1. /. x) (1. /. y) (-1. /. z)) with k = -1. }
+  | Hyperboloid_two_sheets { center; radii } ->
+      let x, y, z = squares radii in
+      about center { (diagonal (1. /. x) (1. /. y) (-1. /. z)) with k = 1. }
+
+let of_shape s = sized (raw s)
+
+let gradient f (y : Vec.t) =
+  Vec.v
+    ((f.axx *. y.x) +. (f.axy *. y.y) +. (f.axz *. y.z) +. f.gx)
+    ((f.axy *. y.x) +. (f.ayy *. y.y) +. (f.ayz *. y.z) +. f.gy)
+    ((f.axz *. y.x) +. (f.ayz *. y.y) +. (f.azz *. y.z) +. f.gz)
+
+let value f p =
+  let open Double_double in
+  let row a b c = add (scale a p.x) (add (scale b p.y) (scale c p.z)) in
+  let gp = row f.gx f.gy f.gz in
+  let lower = add (add gp gp) (of_float f.k) in
+  if is_linear f then lower
+  else
+    let ap =
+      {
+        x = row f.axx f.axy f.axz;
+        y = row f.axy f.ayy f.ayz;
+        z = row f.axz f.ayz f.azz;
+      }
+    in
+    add (dot p ap) lower
+
+type quadratic = {
+  a : Double_double.t;
+  b : Double_double.t;
+  c : Double_double.t;
+}
+
+let along f p d =
+  let open Double_double in
+  let row a b c (v : vec) =
+    add (scale a v.x) (add (scale b v.y) (scale c v.z))
+  in
+  let times v =
+    {
+      x = row f.axx f.axy f.axz v;
+      y = row f.axy f.ayy f.ayz v;
+      z = row f.axz f.ayz f.azz v;
+    }
+  in
+  let g = { x = of_float f.gx; y = of_float f.gy; z = of_float f.gz } in
+  let ap = times p in
+  let gp = dot g p in
+  {
+    a = dot d (times d);
+    b = add (dot d ap) (dot g d);
+    c = add (add (dot p ap) (add gp gp)) (of_float f.k);
+  }
+
+let along_exactly f p d =
+  let open Expansion in
+  let num = of_float in
+  let row a b c (v : vec) =
+    add (mul (num a) v.x) (add (mul (num b) v.y) (mul (num c) v.z))
+  in
+  let times v =
+    {
+      x = row f.axx f.axy f.axz v;
+      y = row f.axy f.ayy f.ayz v;
+      z = row f.axz f.ayz f.azz v;
+    }
+  in
+  let g = { x = num f.gx; y = num f.gy; z = num f.gz } in
+  let ap = times p in
+  let gp = dot g p in
+  ( dot d (times d),
+    add (dot d ap) (dot g d),
+    add (add (dot p ap) (add gp gp)) (num f.k) )

@@ -1,0 +1,568 @@
+open Candor_number
+open Candor_space
+
+type axial = { frame : Frame.t; axis : Vec.t; length2 : float }
+type texture_map = No_map | Planar of int | Axial of axial
+
+type t = {
+  shape : Quadric_shape.t;
+  clip : Bounds.t option;
+  caps : bool;
+  form : Form.t;
+  linear : bool;
+  cuts : Half_space.t array; (* first the two ends of an axial shape, if any *)
+  disks : int array; (* which of the cuts are closed by a disk *)
+  bounds : Bounds.t;
+  map : texture_map;
+}
+
+let shape q = q.shape
+let clip q = q.clip
+let caps q = q.caps
+let bounds q = q.bounds
+let written q = (q.shape, q.clip, q.caps)
+
+type written = Quadric_shape.t * Bounds.t option * bool
+[@@deriving show, eq, ord]
+
+let equal a b = equal_written (written a) (written b)
+let compare a b = compare_written (written a) (written b)
+let pp ppf q = pp_written ppf (written q)
+let show q = show_written (written q)
+
+(* {1 Making} *)
+
+let symmetric n q =
+  let at i j = q.((n * i) + j) in
+  let same i j = Float.equal (at i j) (at j i) in
+  List.for_all
+    (fun i -> List.for_all (same i) (List.init n Fun.id))
+    (List.init n Fun.id)
+
+let positive (r : Vec.t) = r.x > 0. && r.y > 0. && r.z > 0.
+let radii_error = "the radii must be above 0"
+let size_ok x = Float.abs x >= 0x1p-400 && Reach.length x
+
+let check_axial from until radius =
+  let axis = Point.sub until from in
+  if not (Reach.point from && Reach.point until && Reach.length radius) then
+    Error Reach.message
+  else if not (radius > 0.) then Error "the radius must be above 0"
+  else if not (size_ok (Vec.norm axis) && size_ok radius) then
+    Error "the two ends must be apart, and the radius not below 2^-400"
+  else Ok ()
+
+let check_radii center (radii : Vec.t) =
+  if not (Reach.point center && Reach.vec radii) then Error Reach.message
+  else if not (positive radii) then Error radii_error
+  else if not (size_ok radii.x && size_ok radii.y && size_ok radii.z) then
+    Error "the radii must not be below 2^-400"
+  else Ok ()
+
+let check_shape : Quadric_shape.t -> (unit, string) result = function
+  | Matrix q ->
+      if Array.length q <> 16 then Error "a matrix has 16 numbers"
+      else if not (Array.for_all Float.is_finite q) then Error Reach.message
+      else if not (symmetric 4 q) then
+        Error "the matrix is not symmetric: qij and qji must be equal"
+      else Ok ()
+  | Form { a; b; c } ->
+      if Array.length a <> 9 then Error "the form's a has 9 numbers"
+      else if
+        not
+          (Array.for_all Float.is_finite a
+          && Vec.is_finite b && Float.is_finite c)
+      then Error Reach.message
+      else if not (symmetric 3 a) then
+        Error "the form's a is not symmetric: aij and aji must be equal"
+      else Ok ()
+  | Plane { normal; offset } ->
+      if not (Reach.vec normal && Reach.length offset) then Error Reach.message
+      else if Vec.equal normal Vec.zero then Error "the normal must not be zero"
+      else Ok ()
+  | Cylinder { from; until; radius } -> check_axial from until radius
+  | Cone { apex; base; radius } | Paraboloid { apex; base; radius } ->
+      check_axial apex base radius
+  | Ellipsoid { center; radii }
+  | Hyperbolic_paraboloid { center; radii }
+  | Hyperboloid_one_sheet { center; radii }
+  | Hyperboloid_two_sheets { center; radii } ->
+      check_radii center radii
+
+let check_clip = function
+  | None -> Ok ()
+  | Some (b : Bounds.t) ->
+      if b.x0 > b.x1 || b.y0 > b.y1 || b.z0 > b.z1 then
+        Error "the clip box is empty: min is above max"
+      else if not (Reach.point (Bounds.low b) && Reach.point (Bounds.high b))
+      then Error Reach.message
+      else Ok ()
+
+(* The ends of an axial shape: n.(x - first) <= |n|^2 is part 1's plane, and
+   -n.(x - first) <= 0 part 2's. *)
+let ends first axis =
+  let { Point.x = px; y = py; z = pz } = first in
+  let { Vec.x = nx; y = ny; z = nz } = axis in
+  [|
+    { Half_space.nx; ny; nz; px; py; pz; c = Vec.dot axis axis };
+    { Half_space.nx = -.nx; ny = -.ny; nz = -.nz; px; py; pz; c = 0. };
+  |]
+
+let axis_of : Quadric_shape.t -> (Point.t * Point.t * float) option = function
+  | Cylinder { from; until; radius } -> Some (from, until, radius)
+  | Cone { apex; base; radius } | Paraboloid { apex; base; radius } ->
+      Some (apex, base, radius)
+  | Matrix _ | Form _ | Plane _ | Ellipsoid _ | Hyperbolic_paraboloid _
+  | Hyperboloid_one_sheet _ | Hyperboloid_two_sheets _ ->
+      None
+
+let closed_ends caps : Quadric_shape.t -> int array = function
+  | Cylinder _ when caps -> [| 0; 1 |]
+  | (Cone _ | Paraboloid _) when caps -> [| 0 |]
+  | Cylinder _ | Cone _ | Paraboloid _ | Matrix _ | Form _ | Plane _
+  | Ellipsoid _ | Hyperbolic_paraboloid _ | Hyperboloid_one_sheet _
+  | Hyperboloid_two_sheets _ ->
+      [||]
+
+let natural_bounds : Quadric_shape.t -> Bounds.t = function
+  | Ellipsoid { center; radii } ->
+      Bounds.widen 0.
+        (Bounds.v (Point.add center (Vec.neg radii)) (Point.add center radii))
+  | Cylinder { from = p; until = q; radius }
+  | Cone { apex = p; base = q; radius }
+  | Paraboloid { apex = p; base = q; radius } ->
+      (* The double coefficients are off by a few ulp; so is the reach. *)
+      let reach = radius *. (1. +. 0x1p-40) in
+      let far = Vec.norm (Point.sub q p) *. 0x1p-40 in
+      Bounds.widen (reach +. far) (Bounds.of_points [ p; q ])
+  | Matrix _ | Form _ | Plane _ | Hyperbolic_paraboloid _
+  | Hyperboloid_one_sheet _ | Hyperboloid_two_sheets _ ->
+      Bounds.everything
+
+let largest_axis (v : Vec.t) =
+  let x = Float.abs v.x and y = Float.abs v.y and z = Float.abs v.z in
+  if x >= y && x >= z then 0 else if y >= z then 1 else 2
+
+let map_of (shape : Quadric_shape.t) axial =
+  match (shape, axial) with
+  | Plane { normal; _ }, _ -> Planar (largest_axis normal)
+  | _, None -> No_map
+  | _, Some (first, second, _) -> (
+      let axis = Point.sub second first in
+      match Dir.of_vec axis with
+      | None -> No_map
+      | Some w ->
+          Axial { frame = Frame.of_dir w; axis; length2 = Vec.dot axis axis })
+
+let make ?clip ?(caps = false) shape =
+  let axial = axis_of shape in
+  match (check_shape shape, check_clip clip) with
+  | (Error _ as e), _ | _, (Error _ as e) -> e
+  | Ok (), Ok () when caps && Option.is_none axial ->
+      Error "only a cylinder, a cone or a paraboloid has ends to cap"
+  | Ok (), Ok () ->
+      let form = Form.of_shape shape in
+      let cuts =
+        match axial with
+        | None -> [||]
+        | Some (first, second, _) -> ends first (Point.sub second first)
+      in
+      let clip_cuts = Option.fold ~none:[] ~some:Half_space.of_bounds clip in
+      let clip_box = Option.value clip ~default:Bounds.everything in
+      if Form.is_constant form then
+        Error
+          "F is constant: it has no surface (all coefficients but the last are \
+           0)"
+      else
+        Ok
+          {
+            shape;
+            clip;
+            caps;
+            form;
+            linear = Form.is_linear form;
+            cuts = Array.append cuts (Array.of_list clip_cuts);
+            disks = closed_ends caps shape;
+            bounds = Bounds.meet (natural_bounds shape) clip_box;
+            map = map_of shape axial;
+          }
+
+(* {1 Cutting} *)
+
+type root = First | Second
+(* Of a t^2 + 2 b t + c, with r = -(b + sign(b) sqrt(b^2 - ac)): the first root
+   is c/r (the only one if a = 0), the second r/a. F falls through the second if b >= 0, and through the
+   first if b < 0. *)
+
+let falls b root = match root with First -> not (b >= 0.) | Second -> b >= 0.
+
+let exact_vec (o : Point.t) (p : Point.t) =
+  {
+    Expansion.x = Expansion.diff o.x p.x;
+    y = Expansion.diff o.y p.y;
+    z = Expansion.diff o.z p.z;
+  }
+
+let exact_dir (d : Vec.t) =
+  {
+    Expansion.x = Expansion.of_float d.x;
+    y = Expansion.of_float d.y;
+    z = Expansion.of_float d.z;
+  }
+
+(* Whether a root t of a t^2 + 2 b t + c satisfies v + t w <= 0, exactly. With
+   s = -v/w the question is how t compares with s, which the signs of the
+   polynomial and of its slope at s answer. [falling] is the sign of the slope
+   at the root. *)
+let root_in (a, b, c) ~falling (v, w) =
+  let open Expansion in
+  match sign w with
+  | 0 -> sign v <= 0
+  | sw ->
+      let w2 = mul w w in
+      let two x = add x x in
+      (* w^2 F(s) = a v^2 - 2 b v w + c w^2;  w^2 slope(s) = -a v w + b w^2 *)
+      let value =
+        sub (add (mul a (mul v v)) (mul c w2)) (two (mul b (mul v w)))
+      in
+      let slope = sub (mul b w2) (mul a (mul v w)) in
+      let fs = sign value and gs = sign slope in
+      let slope_at_root = if falling then -1 else 1 in
+      (* The sign of s - t. *)
+      let order =
+        match sign a with
+        | 0 -> fs * slope_at_root
+        | sa ->
+            if fs = 0 then if gs = slope_at_root || gs = 0 then 0 else gs * sa
+            else if fs = sa then gs * sa (* s is outside of both roots *)
+            else -slope_at_root * sa (* between them *)
+      in
+      (* v + t w <= 0 iff t <= s for w > 0, t >= s for w < 0. *)
+      sw * order >= 0
+
+let exact_equation q o d =
+  let f = exact_vec o (Form.center q.form) in
+  Form.along_exactly q.form f (exact_dir d)
+
+(* What t is a root of: F along the ray, or the plane of one of the cuts. *)
+type solved = Of_form of { falling : bool } | Of_cut of int
+
+let within_cuts q o d t solved ~except =
+  let inside i h =
+    i = except
+    ||
+    match Half_space.verdict h o d t with
+    | Half_space.In -> true
+    | Out -> false
+    | Unsure -> (
+        let cut = Half_space.along h o d in
+        match solved with
+        | Of_form { falling } -> root_in (exact_equation q o d) ~falling cut
+        | Of_cut k ->
+            let v, w = Half_space.along q.cuts.(k) o d in
+            let v', w' = cut in
+            let open Expansion in
+            (* v' + t w' <= 0 where t = -v/w *)
+            sign w * sign (sub (mul v' w) (mul v w')) <= 0)
+  in
+  let rec all i =
+    i = Array.length q.cuts || (inside i q.cuts.(i) && all (i + 1))
+  in
+  all 0
+
+(* {1 Meeting} *)
+
+let contact_of_root b root =
+  Contact.v ~part:0 (if falls b root then Side.Outside else Inside)
+
+let consider q o d t b root cursor =
+  if
+    t > 0. && t <= cursor.Cursor.t
+    && within_cuts q o d t (Of_form { falling = falls b root }) ~except:(-1)
+  then Cursor.take cursor t (contact_of_root b root)
+  else Contact.none
+
+let[@inline] later earlier last = if Contact.is_none last then earlier else last
+
+let consider_both q o d ~first ~second b cursor =
+  let earlier = consider q o d first b First cursor in
+  later earlier (consider q o d second b Second cursor)
+
+let exact_offset f (o : Point.t) =
+  let c = Form.center f in
+  {
+    Double_double.x = Error_free.two_diff o.x c.x;
+    y = Error_free.two_diff o.y c.y;
+    z = Error_free.two_diff o.z c.z;
+  }
+
+let unit_direction (d : Vec.t) =
+  let _, e = Float.frexp (Vec.largest d) in
+  let part x = Double_double.of_float (Float.ldexp x (-e)) in
+  ({ Double_double.x = part d.x; y = part d.y; z = part d.z }, e)
+
+(* The second tier: everything in double-double, the discriminant at the point
+   of the line nearest to the centre. *)
+let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
+  let open Double_double in
+  let unit, e = unit_direction d in
+  let back t = Float.ldexp (to_float t) (-e) in
+  let f = exact_offset q.form o in
+  let { Form.a; b; c } = Form.along q.form f unit in
+  if a.hi = 0. then
+    if b.hi = 0. then Contact.none
+    else
+      let t = back (div (neg c) (add b b)) in
+      consider q o d t b.hi First cursor
+  else
+    let closest = -.((dot f unit).hi /. (dot unit unit).hi) in
+    let at = Form.along q.form (Double_double.along f closest unit) unit in
+    let disc = sub (mul at.b at.b) (mul at.a at.c) in
+    if not (disc.hi >= 0.) then Contact.none
+    else
+      let root = sqrt disc in
+      let r = if b.hi >= 0. then neg (add b root) else sub root b in
+      let first = if r.hi = 0. then 0. else back (div c r) in
+      consider_both q o d ~first ~second:(back (div r a)) b.hi cursor
+
+let meet_linear q (o : Point.t) (d : Vec.t) cursor =
+  let f = q.form in
+  let abs = Float.abs in
+  let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
+  let bx = f.gx *. d.x and by = f.gy *. d.y and bz = f.gz *. d.z in
+  let cx = f.gx *. fx and cy = f.gy *. fy and cz = f.gz *. fz in
+  let b = bx +. by +. bz in
+  let c = (2. *. (cx +. cy +. cz)) +. f.k in
+  let b_size = abs bx +. abs by +. abs bz in
+  let c_size = (2. *. (abs cx +. abs cy +. abs cz)) +. abs f.k in
+  if b_size <= 2. *. abs b && c_size <= 2. *. abs c && b_size > 0x1p-900 then
+    let t = -.c /. (2. *. b) in
+    if t > 0. && t <= cursor.Cursor.t then consider q o d t b First cursor
+    else Contact.none
+  else meet_carefully q o d cursor
+
+(* The first tier accepts a number x only when it knows it within 2^7 u of x,
+   and decides a miss when the discriminant is below its error bound. *)
+let meet_curved q (o : Point.t) (d : Vec.t) cursor =
+  let f = q.form in
+  let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
+  let dx = d.x and dy = d.y and dz = d.z in
+  let d2 = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
+  let t = -.((fx *. dx) +. (fy *. dy) +. (fz *. dz)) /. d2 in
+  let px = Float.fma t dx fx
+  and py = Float.fma t dy fy
+  and pz = Float.fma t dz fz in
+  (* A d, A p + g and A f + g *)
+  let ux = (f.axx *. dx) +. (f.axy *. dy) +. (f.axz *. dz)
+  and uy = (f.axy *. dx) +. (f.ayy *. dy) +. (f.ayz *. dz)
+  and uz = (f.axz *. dx) +. (f.ayz *. dy) +. (f.azz *. dz) in
+  let vx = (f.axx *. px) +. (f.axy *. py) +. (f.axz *. pz) +. f.gx
+  and vy = (f.axy *. px) +. (f.ayy *. py) +. (f.ayz *. pz) +. f.gy
+  and vz = (f.axz *. px) +. (f.ayz *. py) +. (f.azz *. pz) +. f.gz in
+  let a = (ux *. dx) +. (uy *. dy) +. (uz *. dz) in
+  let b = (vx *. dx) +. (vy *. dy) +. (vz *. dz) in
+  let gp = (f.gx *. px) +. (f.gy *. py) +. (f.gz *. pz) in
+  let c = (vx *. px) +. (vy *. py) +. (vz *. pz) +. gp +. f.k in
+  let dm = Float.abs dx +. Float.abs dy +. Float.abs dz in
+  let pm = Float.abs px +. Float.abs py +. Float.abs pz in
+  let fm = Float.abs fx +. Float.abs fy +. Float.abs fz in
+  (* What p may be, f being rounded. *)
+  let pm = pm +. (0x1p-52 *. fm) in
+  (* Error bounds in units of u; the last terms are for rounding f. *)
+  let a_doubt = 8. *. f.a_size *. dm *. dm in
+  let b_doubt =
+    dm *. ((10. *. ((f.a_size *. pm) +. f.g_size)) +. (f.a_size *. fm))
+  in
+  let slope = (f.a_size *. pm) +. (2. *. f.g_size) in
+  let c_doubt =
+    (12. *. ((slope *. pm) +. Float.abs f.k)) +. (2. *. fm *. slope)
+  in
+  let disc = Error_free.difference_of_products b b a c in
+  let doubt =
+    (2. *. Float.abs b *. b_doubt)
+    +. (Float.abs a *. c_doubt)
+    +. (Float.abs c *. a_doubt)
+    +. (4. *. Float.abs disc)
+    +. (0x1p-52 *. ((b_doubt *. b_doubt) +. (a_doubt *. c_doubt)))
+  in
+  if not (d2 > 0x1p-500 && d2 < 0x1p500 && doubt < 0x1p900 && doubt > 0x1p-800)
+  then meet_carefully q o d cursor
+  else if disc < -0x1p-52 *. doubt then Contact.none
+  else
+    let wx = (f.axx *. fx) +. (f.axy *. fy) +. (f.axz *. fz) +. f.gx
+    and wy = (f.axy *. fx) +. (f.ayy *. fy) +. (f.ayz *. fz) +. f.gy
+    and wz = (f.axz *. fx) +. (f.ayz *. fy) +. (f.azz *. fz) +. f.gz in
+    let b0 = (wx *. dx) +. (wy *. dy) +. (wz *. dz) in
+    let c0 =
+      (wx *. fx) +. (wy *. fy) +. (wz *. fz) +. (f.gx *. fx) +. (f.gy *. fy)
+      +. (f.gz *. fz) +. f.k
+    in
+    let slope = (f.a_size *. fm) +. (2. *. f.g_size) in
+    let c0_doubt = 12. *. ((slope *. fm) +. Float.abs f.k) in
+    let b0_doubt = 12. *. dm *. ((f.a_size *. fm) +. f.g_size) in
+    let root = sqrt disc in
+    let r = if b0 >= 0. then -.(b0 +. root) else root -. b0 in
+    if
+      doubt <= 0x1p7 *. disc
+      && a_doubt <= 0x1p7 *. Float.abs a
+      && c0_doubt <= 0x1p7 *. Float.abs c0
+      && b0_doubt <= 0x1p7 *. Float.abs r
+      && Float.abs b0 > 0x1p-50 *. b0_doubt
+    then consider_both q o d ~first:(c0 /. r) ~second:(r /. a) b0 cursor
+    else meet_carefully q o d cursor
+
+let meet_surface q o d cursor =
+  if q.linear then meet_linear q o d cursor else meet_curved q o d cursor
+
+(* With the origin on the surface the equation is t (a t + 2 b) = 0. Leaving
+   outwards F rises, so b > 0, and the other root is ahead only if a < 0. *)
+let meet_again q (o : Point.t) (d : Vec.t) side cursor =
+  if q.linear then Contact.none
+  else
+    let unit, e = unit_direction d in
+    let { Form.a; b; c = _ } = Form.along q.form (exact_offset q.form o) unit in
+    let ahead =
+      match (side : Side.t) with
+      | Outside -> b.hi > 0. && a.hi < 0.
+      | Inside -> b.hi < 0. && a.hi > 0.
+    in
+    if not ahead then Contact.none
+    else
+      let t = -2. *. Float.ldexp (b.hi /. a.hi) (-e) in
+      consider q o d t b.hi Second cursor
+
+(* Whether F <= 0 where the ray crosses the plane of a cut: by its double at the
+   rounded point unless that could be rounding, else exactly. *)
+let on_disk q o d t cut =
+  let p = Point.along o d t in
+  let f = q.form in
+  let y = Point.sub p (Form.center f) in
+  let g = Form.gradient f y in
+  let value = Vec.dot g y +. Vec.dot (Vec.v f.gx f.gy f.gz) y +. f.k in
+  let norm1 (v : Vec.t) = Float.abs v.x +. Float.abs v.y +. Float.abs v.z in
+  let reach = norm1 (Point.sub o (Form.center f)) +. (t *. norm1 d) in
+  (* y is off by 8 ulp of t d and the roundings of p and y. *)
+  let slope = (f.a_size *. reach) +. f.g_size in
+  let doubt = 0x1p-46 *. ((slope *. reach) +. Float.abs f.k) in
+  if value < -.doubt then true
+  else if value > doubt then false
+  else
+    let a, b, c = exact_equation q o d in
+    let v, w = Half_space.along cut o d in
+    let open Expansion in
+    let ab = sub (mul a v) (mul b w) and bc = sub (mul b v) (mul c w) in
+    (* w^2 F(-v/w) = v (a v - b w) - w (b v - c w) *)
+    sign (sub (mul v ab) (mul w bc)) <= 0
+
+(* Where the ray crosses the plane of a cut, and how fast. *)
+let cut_distance h (o : Point.t) (d : Vec.t) =
+  let open Double_double in
+  let n =
+    { x = of_float h.Half_space.nx; y = of_float h.ny; z = of_float h.nz }
+  in
+  let from =
+    {
+      x = Error_free.two_diff o.x h.px;
+      y = Error_free.two_diff o.y h.py;
+      z = Error_free.two_diff o.z h.pz;
+    }
+  in
+  let unit, e = unit_direction d in
+  let above = sub (of_float h.c) (dot n from) and across = dot n unit in
+  (Float.ldexp (to_float (div above across)) (-e), across.hi)
+
+let meet_disk q (o : Point.t) (d : Vec.t) end_ left cursor =
+  let h = q.cuts.(end_) in
+  let part = end_ + 1 in
+  if (not (Contact.is_none left)) && Contact.part left = part then Contact.none
+  else
+    let t, across = cut_distance h o d in
+    if
+      t > 0. && t <= cursor.Cursor.t && on_disk q o d t h
+      && within_cuts q o d t (Of_cut end_) ~except:end_
+    then
+      Cursor.take cursor t
+        (Contact.v ~part (if across < 0. then Outside else Inside))
+    else Contact.none
+
+let meet q o d left cursor =
+  let found =
+    if Contact.is_none left || Contact.part left <> 0 then
+      meet_surface q o d cursor
+    else meet_again q o d (Contact.side left) cursor
+  in
+  let add found end_ = later found (meet_disk q o d end_ left cursor) in
+  if Array.length q.disks = 0 then found else Array.fold_left add found q.disks
+
+(* {1 Locating} *)
+
+let turn (frame : Frame.t) y =
+  let on (d : Dir.t) = Vec.dot (d :> Vec.t) y in
+  let a = Float.atan2 (on frame.v) (on frame.u) /. (2. *. Float.pi) in
+  if a < 0. then a +. 1. else a
+
+let uv q (p : Point.t) y =
+  match q.map with
+  | No_map -> None
+  | Planar 0 -> Some (p.y, p.z)
+  | Planar 1 -> Some (p.x, p.z)
+  | Planar _ -> Some (p.x, p.y)
+  | Axial { frame; axis; length2 } ->
+      Some (turn frame y, Vec.dot axis y /. length2)
+
+(* F in double-double: what a computed point misses the surface by. *)
+let residual q p = (Form.value q.form (exact_offset q.form p)).hi
+
+let rounding (p : Point.t) =
+  let u x = 0x1p-52 *. Float.abs x in
+  Vec.v (u p.x) (u p.y) (u p.z)
+
+(* One Newton step along the gradient; what is left over after it, by the same
+   first-order formula, bounds the error. *)
+let locate_surface q o (d : Vec.t) t =
+  let center = Form.center q.form in
+  let first = Point.along o d t in
+  let slope p = Form.gradient q.form (Point.sub p center) in
+  let step p =
+    let g = slope p in
+    let k = residual q p /. (2. *. Vec.dot g g) in
+    if Float.is_finite k then Point.add p (Vec.scale (-.k) g) else p
+  in
+  let point = step first in
+  let g = slope point in
+  let left_over = Float.abs (residual q point) /. (2. *. Vec.norm g) in
+  let normal = Dir.of_vec_or (Dir.of_vec_or Dir.z (Vec.neg d)) g in
+  let n = (normal :> Vec.t) in
+  let spread n r =
+    let e = if Float.is_finite left_over then left_over else 0. in
+    (1.01 *. Float.abs n *. e) +. r
+  in
+  let r = rounding point in
+  {
+    Local.point;
+    normal;
+    error = Vec.v (spread n.x r.x) (spread n.y r.y) (spread n.z r.z);
+    flat = q.linear;
+    uv = lazy (uv q point (Point.sub point center));
+    shading_normal = None;
+  }
+
+let locate_disk q o d t end_ =
+  let { Half_space.nx; ny; nz; px; py; pz; c } = q.cuts.(end_) in
+  let n = Vec.v nx ny nz in
+  let first = Point.along o d t in
+  let miss = Vec.dot n (Point.sub first (Point.v px py pz)) -. c in
+  let point = Point.add first (Vec.scale (-.miss /. Vec.dot n n) n) in
+  {
+    Local.point;
+    normal = Dir.of_vec_or Dir.z n;
+    error = Vec.scale 4. (rounding point);
+    flat = true;
+    uv = lazy (uv q point (Point.sub point (Form.center q.form)));
+    shading_normal = None;
+  }
+
+let locate q o d t contact =
+  match Contact.part contact with
+  | 0 -> locate_surface q o d t
+  | part -> locate_disk q o d t (part - 1)

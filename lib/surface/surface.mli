@@ -1,0 +1,44 @@
+(** The five kinds of surface, and the two questions a tracer asks of them.
+
+    {b Laws.} The nearest hit of a group is the least of its members' by (t,
+    place). [blocked] is whether [nearest] finds something. Multiplying all
+    lengths by a power of two multiplies every [t] by it, bit for bit. *)
+
+open Candor_space
+
+type 'm t = private
+  | Sphere of Sphere.t * 'm
+  | Box of Box.t * 'm
+  | Triangle of Triangle.t * 'm
+  | Quadric of Quadric.t * 'm
+  | Group of 'm group
+      (** A surface with what its user keeps with it, a material for instance.
+      *)
+
+and 'm group
+
+val sphere : Sphere.t -> 'm -> 'm t
+val box : Box.t -> 'm -> 'm t
+val triangle : Triangle.t -> 'm -> 'm t
+val quadric : Quadric.t -> 'm -> 'm t
+
+val group : 'm t array -> 'm t
+(** [group members] is all of [members] as one surface. They count from 0. *)
+
+val seen_through : ?transform:Transform.t -> 'm t -> 'm t
+(** [seen_through ~transform s] is [s] moved by [transform], sharing everything
+    with [s]. A group stays the same group; any other surface becomes the only
+    member of one. *)
+
+val bounds : 'm t -> Bounds.t
+(** [bounds s] is a box that holds [s]; not finite where [s] is unbounded. *)
+
+val nearest : 'm t -> ?limit:float -> Ray.t -> 'm Hit.t option
+(** [nearest s r] is where [r] first meets [s] at 0 < t ≤ [limit] (default: no
+    limit); of several at the same t the one of least place. [None] where there
+    is none, and for a ray with a coordinate that is not finite or a direction
+    that is zero. *)
+
+val blocked : 'm t -> limit:float -> Ray.t -> bool
+(** [blocked s ~limit r] is [nearest s ~limit r <> None], stopping at the first
+    hit found. *)
