@@ -1,0 +1,30 @@
+type t = { seed : int; spp : int; columns : int; rows : int }
+type position = { u : float; v : float }
+
+let make ~seed ~spp =
+  let columns = Int.max 1 (int_of_float (sqrt (float_of_int spp))) in
+  { seed; spp; columns; rows = (spp + columns - 1) / columns }
+
+let ratio a b = a /. float_of_int b
+
+let stratified p ~x ~y sample =
+  let pixel = Key.v ~seed:p.seed ~x ~y ~sample:0 ~bounce:0 Film in
+  let jitter = Key.v ~seed:p.seed ~x ~y ~sample:(sample + 1) ~bounce:0 Film in
+  let s = Key.permute pixel ~length:p.spp sample in
+  let column =
+    Key.permute (Key.derive pixel 0) ~length:p.columns (s mod p.columns)
+  and row = Key.permute (Key.derive pixel 1) ~length:p.rows (s / p.columns) in
+  let in_cell =
+    ratio (float_of_int row +. Key.float (Key.derive jitter 0)) p.rows
+  in
+  let in_row = float_of_int s +. Key.float (Key.derive jitter 1) in
+  {
+    u = ratio (float_of_int column +. in_cell) p.columns;
+    v = ratio in_row p.spp;
+  }
+
+let position p ~x ~y sample =
+  if p.spp = 1 then { u = 0.5; v = 0.5 } else stratified p ~x ~y sample
+
+let tent u =
+  if u < 0.5 then sqrt (2. *. u) -. 1. else 1. -. sqrt (2. *. (1. -. u))

@@ -1,0 +1,103 @@
+open Candor_space
+open Candor_surface
+module Names = Map.Make (String)
+
+type skin = { material : Material.t; place : Place.t }
+
+let table entries =
+  let add t (e : _ Scene.named) = Names.add e.name e t in
+  List.fold_left add Names.empty entries
+
+let resolve materials : Scene.material -> Material.t = function
+  | Inline m -> m
+  | Named name -> (
+      match Names.find_opt name materials with
+      | Some (m : Material.t Scene.named) -> m.value
+      | None -> Material.default)
+
+let own_or inherited (s : Scene.surface) =
+  match s.material with Some _ as own -> own | None -> inherited
+
+let defined definitions name =
+  match Names.find_opt name definitions with
+  | Some (d : Scene.surface list Scene.named) -> d.value
+  | None -> []
+
+let transform steps =
+  match steps with
+  | [] -> None
+  | _ :: _ -> Result.to_option (Transform.of_steps steps)
+
+let surface (scene : Scene.t) =
+  let materials = table scene.materials
+  and definitions = table scene.definitions in
+  (* Local mutation: what has been shared so far, by name and material given. *)
+  let shared = Hashtbl.create 16 in
+  let rec one inherited (s : Scene.surface) =
+    let inherited = own_or inherited s in
+    let skin =
+      {
+        material =
+          Option.fold ~none:Material.default ~some:(resolve materials) inherited;
+        place = s.place;
+      }
+    in
+    match s.shape with
+    | Sphere x -> Surface.sphere x skin
+    | Box x -> Surface.box x skin
+    | Triangle x -> Surface.triangle x skin
+    | Quadric x -> Surface.quadric x skin
+    | Polygon { triangles; _ } ->
+        let part x = Surface.triangle x skin in
+        Surface.group (Array.of_list (List.map part triangles))
+    | Group { transform = steps; surfaces } ->
+        Surface.seen_through ?transform:(transform steps)
+          (all inherited surfaces)
+    | Use { transform = steps; name } ->
+        Surface.seen_through ?transform:(transform steps)
+          (definition inherited name)
+  and all inherited surfaces =
+    Surface.group (Array.map (one inherited) (Array.of_list surfaces))
+  and definition inherited name =
+    match Hashtbl.find_opt shared (name, inherited) with
+    | Some group -> group
+    | None ->
+        let group = all inherited (defined definitions name) in
+        Hashtbl.add shared (name, inherited) group;
+        group
+  in
+  all None scene.surfaces
+
+type use = { name : string option; material : Material.t; place : Place.t }
+
+let use_of materials place = function
+  | None -> { name = None; material = Material.default; place }
+  | Some (Scene.Inline material) -> { name = None; material; place }
+  | Some (Named name as m) -> (
+      let material = resolve materials m in
+      match Names.find_opt name materials with
+      | Some (n : Material.t Scene.named) ->
+          { name = Some name; material; place = n.place }
+      | None -> { name = Some name; material; place })
+
+let materials_in_use (scene : Scene.t) =
+  let materials = table scene.materials
+  and definitions = table scene.definitions in
+  (* Local mutation: the materials and definitions met so far. *)
+  let met = Hashtbl.create 16 and entered = Hashtbl.create 16 in
+  let uses = ref [] in
+  let rec one inherited (s : Scene.surface) =
+    let inherited = own_or inherited s in
+    match s.shape with
+    | Group { surfaces; _ } -> List.iter (one inherited) surfaces
+    | Use { name; _ } ->
+        if not (Hashtbl.mem entered (name, inherited)) then (
+          Hashtbl.add entered (name, inherited) ();
+          List.iter (one inherited) (defined definitions name))
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ ->
+        if not (Hashtbl.mem met inherited) then (
+          Hashtbl.add met inherited ();
+          uses := use_of materials s.place inherited :: !uses)
+  in
+  List.iter (one None) scene.surfaces;
+  List.rev !uses

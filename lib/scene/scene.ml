@@ -1,0 +1,81 @@
+open Candor_space
+open Candor_colour
+open Candor_surface
+
+type background = Uniform of Rgb.t | Gradient of { down : Rgb.t; up : Rgb.t }
+[@@deriving show, eq, ord]
+
+type filter = Box | Tent [@@deriving show, eq, ord]
+
+type settings = {
+  spp : int;
+  depth : int;
+  cutoff : float;
+  seed : int;
+  filter : filter;
+}
+[@@deriving show, eq, ord]
+
+type material = Named of string | Inline of Material.t
+[@@deriving show, eq, ord]
+
+type surface = { shape : shape; material : material option; place : Place.t }
+
+and shape =
+  | Sphere of Sphere.t
+  | Box of Box.t
+  | Triangle of Triangle.t
+  | Quadric of Quadric.t
+  | Polygon of Polygon.t
+  | Group of { transform : Transform.step list; surfaces : surface list }
+  | Use of { transform : Transform.step list; name : string }
+[@@deriving show, eq]
+
+type 'a named = { name : string; value : 'a; place : Place.t }
+[@@deriving show, eq]
+
+type 'a placed = { value : 'a; place : Place.t } [@@deriving show, eq]
+
+type t = {
+  width : int;
+  height : int;
+  camera : Camera.t;
+  background : background;
+  ambient : Rgb.t placed option;
+  settings : settings;
+  lights : Light.t list;
+  materials : Material.t named list;
+  definitions : surface list named list;
+  surfaces : surface list;
+}
+[@@deriving show, eq]
+
+let default_settings =
+  { spp = 16; depth = 8; cutoff = 0.; seed = 0; filter = Box }
+
+let rec forget_surface (s : surface) =
+  let shape =
+    match s.shape with
+    | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Use _) as shape
+      ->
+        shape
+    | Group { transform; surfaces } ->
+        Group { transform; surfaces = List.map forget_surface surfaces }
+  in
+  { s with shape; place = Place.unknown }
+
+let forget_named value (n : _ named) =
+  { n with value = value n.value; place = Place.unknown }
+
+let forget_places s =
+  let light (l : Light.t) = { l with place = Place.unknown } in
+  let placed (p : _ placed) = { p with place = Place.unknown } in
+  {
+    s with
+    ambient = Option.map placed s.ambient;
+    lights = List.map light s.lights;
+    materials = List.map (forget_named Fun.id) s.materials;
+    definitions =
+      List.map (forget_named (List.map forget_surface)) s.definitions;
+    surfaces = List.map forget_surface s.surfaces;
+  }
