@@ -1,0 +1,16 @@
+open Candor_space
+open Candor_colour
+open Candor_surface
+open Candor_scene
+
+type cut = Depth | Weight [@@deriving show, eq, ord]
+
+type t =
+  | Enter of { kind : string; ray : Ray.t; throughput : Rgb.t }
+  | Met of Assembly.skin Hit.t
+  | Met_nothing
+  | Shadow of { light : Light.t; blocked : bool }
+  | Faces_away of { light : Light.t }
+  | Cut of cut
+  | Term of { name : string; radiance : Rgb.t }
+  | Leave of { radiance : Rgb.t }

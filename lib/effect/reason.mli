@@ -1,0 +1,10 @@
+(** Why an effect is on: what in the scene asks for it, and where. *)
+
+open Candor_scene
+
+type t = { what : string; place : Place.t } [@@deriving show, eq, ord]
+
+val v : string -> Place.t -> t
+
+val materials : (Material.t -> bool) -> Scene.t -> t list
+(** [materials p s] are the materials in use in [s] that satisfy [p]. *)

@@ -1,0 +1,42 @@
+(** Counts of what was done. Terms write to a tally and never read it, so that
+    counting cannot change a picture. Each row of pixels has its own; they are
+    added up in row order. *)
+
+type counter =
+  | Camera_rays
+  | Shadow_rays
+  | Mirror_rays
+  | Cut_by_depth  (** reflections left out: the path was at its depth *)
+  | Cut_by_weight  (** reflections left out: the throughput was too small *)
+  | Non_finite  (** samples whose radiance was infinite or not a number *)
+[@@deriving show, eq, ord]
+
+val counters : counter list
+(** [counters] is every counter once. *)
+
+val rays : counter list
+(** [rays] are those that count rays, with names by {!name}. *)
+
+val name : counter -> string
+(** [name c] is what statistics call [c]. *)
+
+type t
+
+val make : ?watch:(Event.t -> unit) -> unit -> t
+(** [make ()] counts from zero. [watch] is shown every event. *)
+
+val count : t -> counter -> unit
+(** [count t c] adds one. *)
+
+val get : t -> counter -> int
+(** [get t c] is how often [c] was counted. *)
+
+val sum : t list -> t
+(** [sum ts] has the counts of all [ts] together. *)
+
+val watched : t -> bool
+(** [watched t] is [true] iff somebody looks at events. *)
+
+val show : t -> Event.t -> unit
+(** [show t e] shows [e] to the watcher, if there is one. Ask {!watched} before
+    making an event. *)

@@ -1,0 +1,31 @@
+(** The pixels of a scene's picture. *)
+
+open Candor_space
+open Candor_colour
+open Candor_scene
+open Candor_surface
+open Candor_effect
+
+type t
+(** A scene made ready to render: surfaces, plan, camera and samples. It is
+    immutable; any number of domains may share it. *)
+
+val compile : ?plan:Plan.t -> Scene.t -> t
+(** [compile s] assembles [s] under [plan] (default: [Plan.of_scene s]). *)
+
+val surface : t -> Assembly.skin Surface.t
+(** [surface p] is all of the scene's surfaces. *)
+
+val plan : t -> Plan.t
+
+val ray : t -> x:int -> y:int -> sample:int -> Ray.t
+(** [ray p ~x ~y ~sample] is the camera ray of that sample. *)
+
+val sample : t -> Tally.t -> x:int -> y:int -> sample:int -> Rgb.t
+(** [sample p tally ~x ~y ~sample] is the radiance that one sample finds, a pure
+    function of the scene and these numbers. *)
+
+val radiance : t -> Tally.t -> x:int -> y:int -> Rgb.t
+(** [radiance p tally ~x ~y] is the mean of the pixel's samples. Samples that
+    are not finite are counted in [tally] and make the mean so: nothing hides
+    them. *)
