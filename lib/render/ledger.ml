@@ -1,0 +1,152 @@
+open Candor_colour
+open Candor_scene
+open Candor_effect
+open Candor_image
+
+type output = { clamped : int; rounding : float }
+
+let output picture =
+  let width = Picture.width picture and height = Picture.height picture in
+  (* Local mutation: two running sums over the picture. *)
+  let clamped = ref 0 and squares = ref 0. in
+  let lost x =
+    let shown = Display.encode x in
+    let e = shown -. float_of_int (Display.level x) in
+    squares := !squares +. (e *. e)
+  in
+  for y = 0 to height - 1 do
+    for x = 0 to width - 1 do
+      let c = Picture.pixel picture x y in
+      if Rgb.largest c > 1. then incr clamped;
+      lost c.r;
+      lost c.g;
+      lost c.b
+    done
+  done;
+  let n = float_of_int (3 * width * height) in
+  { clamped = !clamped; rounding = sqrt (!squares /. n) }
+
+let total_rays (r : Render.report) =
+  List.fold_left (fun n c -> n + Tally.get r.tally c) 0 Tally.rays
+
+let words_per_ray (r : Render.report) =
+  r.words /. float_of_int (Int.max 1 (total_rays r))
+
+let count n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
+
+let amount n =
+  let x = float_of_int n in
+  if x >= 1e9 then Printf.sprintf "%.2f G" (x /. 1e9)
+  else if x >= 1e6 then Printf.sprintf "%.1f M" (x /. 1e6)
+  else if x >= 1e4 then Printf.sprintf "%.1f k" (x /. 1e3)
+  else Printf.sprintf "%d" n
+
+let sampling (s : Scene.t) =
+  if s.settings.spp = 1 then
+    "unknown: one sample a pixel says nothing of its error"
+  else
+    Printf.sprintf "unknown: %d stratified samples do not tell their own error"
+      s.settings.spp
+
+let cut_off (s : Scene.t) tally =
+  let by_depth = Tally.get tally Cut_by_depth
+  and by_weight = Tally.get tally Cut_by_weight in
+  let ended =
+    [
+      (by_depth, Printf.sprintf "ended at depth %d" s.settings.depth);
+      (by_weight, Printf.sprintf "fell below weight %g" s.settings.cutoff);
+    ]
+    |> List.filter (fun (n, _) -> n > 0)
+    |> List.map (fun (n, why) -> count n "path" ^ " " ^ why)
+  in
+  match ended with
+  | [] -> "0: no path was cut"
+  | _ :: _ ->
+      Printf.sprintf
+        "unbounded: %s; what they would have seen has no proven bound"
+        (String.concat ", " ended)
+
+let numerics (r : Render.report) =
+  let samples = count (Tally.get r.tally Non_finite) "non-finite sample" in
+  match r.non_finite_pixel with
+  | None -> samples
+  | Some (x, y) ->
+      Printf.sprintf
+        "%s; the first in pixel %d %d: see candor trace SCENE %d %d" samples x y
+        x y
+
+let output_line (format : Picture_file.format) picture =
+  match format with
+  | Pfm -> "linear radiance in 32-bit floats: nothing is clamped"
+  | Ppm | Png ->
+      let { clamped; rounding } = output picture in
+      Printf.sprintf "%s clamped at 255; 8-bit rounding %.2f/255"
+        (count clamped "pixel") rounding
+
+let size (w : Render.window) = Printf.sprintf "%dx%d" (w.x1 - w.x0) (w.y1 - w.y0)
+
+let text ~name ~format (scene : Scene.t) (r : Render.report) =
+  let headline =
+    Printf.sprintf "%s  %s  %d spp  %.2f s  %s rays  %.1f words/ray" name
+      (size r.window) scene.settings.spp r.seconds
+      (amount (total_rays r))
+      (words_per_ray r)
+  in
+  let line (what, says) = Printf.sprintf "  %-10s %s" what says in
+  headline
+  :: List.map line
+       [
+         ("sampling", sampling scene);
+         ("cut-off", cut_off scene r.tally);
+         ("numerics", numerics r);
+         ("output", output_line format r.picture);
+       ]
+  |> String.concat "\n"
+
+(* {1 For programs} *)
+
+let json_rays r =
+  let one c = (Tally.name c, Json.Int (Tally.get r.Render.tally c)) in
+  Json.Object (("total", Json.Int (total_rays r)) :: List.map one Tally.rays)
+
+let json_effects plan =
+  let one e = (Effect.name e, Json.Bool (Plan.is_on plan e)) in
+  Json.Object (List.map one Effect.all)
+
+let json_image (scene : Scene.t) (r : Render.report) =
+  let w = r.window in
+  Json.Object
+    [
+      ("width", Int (w.x1 - w.x0));
+      ("height", Int (w.y1 - w.y0));
+      ("crop", List [ Int w.x0; Int w.y0; Int w.x1; Int w.y1 ]);
+      ("spp", Int scene.settings.spp);
+      ("seed", Int scene.settings.seed);
+    ]
+
+let json_ledger (r : Render.report) =
+  let { clamped; rounding } = output r.picture in
+  let cut c = Json.Int (Tally.get r.tally c) in
+  Json.Object
+    [
+      ("sampling", Object [ ("rms", Null) ]);
+      ( "cut-off",
+        Object
+          [ ("by_depth", cut Cut_by_depth); ("by_weight", cut Cut_by_weight) ]
+      );
+      ("numerics", Object [ ("non_finite", cut Non_finite) ]);
+      ( "output",
+        Object [ ("clamped", Int clamped); ("rounding", Float rounding) ] );
+    ]
+
+let json scene plan (r : Render.report) =
+  Json.Object
+    [
+      ("rays", json_rays r);
+      ("effects", json_effects plan);
+      ("seconds", Float r.seconds);
+      ("words_per_ray", Float (words_per_ray r));
+      ("domains", Int r.domains);
+      ("image", json_image scene r);
+      ("ledger", json_ledger r);
+    ]

@@ -1,0 +1,50 @@
+type style = Silent | Bar | Lines
+
+type t = {
+  style : style;
+  clock : Mtime_clock.counter;
+  last : float Atomic.t; (* when something was last said, in seconds *)
+}
+
+let make ~quiet =
+  let style =
+    if quiet then Silent else if Unix.isatty Unix.stderr then Bar else Lines
+  in
+  { style; clock = Mtime_clock.counter (); last = Atomic.make 0. }
+
+let elapsed p = Mtime.Span.to_float_ns (Mtime_clock.count p.clock) *. 1e-9
+
+let time s =
+  if s < 10. then Printf.sprintf "%.1f s" s
+  else if s < 60. then Printf.sprintf "%.0f s" s
+  else
+    let s = int_of_float (Float.round s) in
+    if s < 3600 then Printf.sprintf "%d min %d s" (s / 60) (s mod 60)
+    else Printf.sprintf "%d h %d min" (s / 3600) (s / 60 mod 60)
+
+let width = 30
+
+let bar share =
+  let full = int_of_float (share *. float_of_int width) in
+  String.make full '#' ^ String.make (width - full) '.'
+
+let say p now share =
+  let left = if share > 0. then now *. (1. -. share) /. share else infinity in
+  let left = if left < infinity then time left ^ " left" else "" in
+  match p.style with
+  | Silent -> ()
+  | Bar ->
+      Printf.eprintf "\r[%s] %3.0f %%  %s\027[K%!" (bar share) (100. *. share)
+        left
+  | Lines -> Printf.eprintf "%3.0f %% done, %s\n%!" (100. *. share) left
+
+let pause = function Silent -> infinity | Bar -> 0.1 | Lines -> 5.
+
+let report p share =
+  let now = elapsed p and last = Atomic.get p.last in
+  (* Whoever moves [last] speaks; the others go on with their rows. *)
+  if now -. last >= pause p.style && Atomic.compare_and_set p.last last now then
+    say p now share
+
+let finish p =
+  match p.style with Bar -> Printf.eprintf "\r\027[K%!" | Silent | Lines -> ()
