@@ -38,5 +38,5 @@ let permute k ~length i =
     (x + (s lsr 3)) land mask
   in
   let rec walk x = if x < length then x else walk (step x) in
-  let turn = (derive k 3 land max_int) mod length in
+  let turn = derive k 3 land max_int mod length in
   (walk (step i) + turn) mod length

@@ -57,7 +57,7 @@ let not_above x y e =
    (p - o_i) / d_i <= (q - o_j) / d_j, multiplied out. *)
 let in_order b (o : Point.t) (d : Vec.t) i j =
   let di = Vec.get d i and dj = Vec.get d j in
-  if i = j || di = 0. || dj = 0. then true
+  if di = 0. || dj = 0. then true
   else
     let oi = Point.get o i and oj = Point.get o j in
     let low_i, high_i = ends b i and low_j, high_j = ends b j in
@@ -77,9 +77,10 @@ let in_order b (o : Point.t) (d : Vec.t) i j =
     and far = if dj > 0. then far else Expansion.neg far in
     not_above near far (size di - size dj)
 
-let passes_exactly b o d =
-  let pairs = [ (0, 1); (0, 2); (1, 0); (1, 2); (2, 0); (2, 1) ] in
-  List.for_all (fun (i, j) -> in_order b o d i j) pairs
+(* [near] and [far] are where the ray enters slab [i] and leaves slab [j], and
+   near <= far + slack. *)
+let[@inline] ordered b o d i j ~near ~far ~slack =
+  near < far -. slack || in_order b o d i j
 
 let[@inline] entered axis (d : Vec.t) =
   Contact.v ~part:((2 * axis) + if Vec.get d axis > 0. then 0 else 1) Outside
@@ -99,8 +100,16 @@ let meet_freely (b : Bounds.t) (o : Point.t) (d : Vec.t) ~inside cursor =
      the normal numbers an ulp is 2^-1074. *)
   let slack = (0x1p-50 *. Float.abs near) +. 0x1p-1072 in
   if not (near < infinity && near <= far +. slack) then Contact.none
-  else if (not (near < far -. slack)) && not (passes_exactly b o d) then
-    Contact.none
+  else if
+    not
+      (near < far -. slack
+      || ordered b o d 0 1 ~near:nx ~far:fy ~slack
+         && ordered b o d 0 2 ~near:nx ~far:fz ~slack
+         && ordered b o d 1 0 ~near:ny ~far:fx ~slack
+         && ordered b o d 1 2 ~near:ny ~far:fz ~slack
+         && ordered b o d 2 0 ~near:nz ~far:fx ~slack
+         && ordered b o d 2 1 ~near:nz ~far:fy ~slack)
+  then Contact.none
   else if near > 0. && not inside then
     let axis = if nx = near then 0 else if ny = near then 1 else 2 in
     Cursor.take cursor near (entered axis d)
@@ -120,17 +129,14 @@ let locate (b : Bounds.t) o d t contact =
   let axis = part / 2 and high = part land 1 = 1 in
   let low_end, high_end = ends b axis in
   let face = if high then high_end else low_end in
-  let on i p = if i = axis then face else p in
+  (* In the plane of the face, and rounding must not carry it over an edge. *)
+  let on i p =
+    let lo, hi = ends b i in
+    if i = axis then face else if p < lo then lo else if p > hi then hi else p
+  in
   let { Point.x; y; z } = Point.along o d t in
   let point = Point.v (on 0 x) (on 1 y) (on 2 z) in
   let outward = if axis = 0 then Dir.x else if axis = 1 then Dir.y else Dir.z in
-  (* t is off by 1.5 ulp and the product and sum round once. *)
-  let error i =
-    if i = axis then 0.
-    else
-      let travel = Float.abs (t *. Vec.get d i) in
-      (3. *. 0x1p-53 *. travel) +. (0x1p-53 *. Float.abs (Point.get point i))
-  in
   let across i =
     let lo, hi = ends b i in
     if hi > lo then (Point.get point i -. lo) /. (hi -. lo) else 0.
@@ -140,7 +146,7 @@ let locate (b : Bounds.t) o d t contact =
   {
     Local.point;
     normal = (if high then outward else Dir.neg outward);
-    error = Vec.v (error 0) (error 1) (error 2);
+    error = Vec.zero;
     flat = true;
     uv = lazy (Some (across first, across second));
     shading_normal = None;

@@ -20,5 +20,5 @@ val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
     t is within 2 ulp. *)
 
 val locate : t -> Point.t -> Vec.t -> float -> Contact.t -> Local.t
-(** [locate b o d t contact] is the point of the contact's face at [t]; exact on
-    the axis across the face. uv runs over the face from 0 to 1. *)
+(** [locate b o d t contact] is the point of the contact's face at [t], within
+    the face exactly. uv runs over the face from 0 to 1. *)

@@ -47,14 +47,12 @@ let is_constant f = is_linear f && f.gx = 0. && f.gy = 0. && f.gz = 0.
 let center f = Point.v f.cx f.cy f.cz
 
 let sized f =
-  let abs = Float.abs in
-  {
-    f with
-    a_size =
-      abs f.axx +. abs f.ayy +. abs f.azz
-      +. (2. *. (abs f.axy +. abs f.axz +. abs f.ayz));
-    g_size = abs f.gx +. abs f.gy +. abs f.gz;
-  }
+  let diagonal = Vec.v f.axx f.ayy f.azz and beside = Vec.v f.axy f.axz f.ayz in
+  let norm =
+    Vec.norm (Vec.v (Vec.norm diagonal) (sqrt 2. *. Vec.norm beside) 0.)
+  in
+  let up x = x *. (1. +. 0x1p-49) in
+  { f with a_size = up norm; g_size = up (Vec.norm (Vec.v f.gx f.gy f.gz)) }
 
 let about (p : Point.t) f = { f with cx = p.x; cy = p.y; cz = p.z }
 
@@ -144,6 +142,7 @@ let raw : Quadric_shape.t -> t = function
       about center { (diagonal (1. /. x) (1. /. y) (-1. /. z)) with k = 1. }
 
 let of_shape s = sized (raw s)
+let slope f = Vec.v f.gx f.gy f.gz
 
 let gradient f (y : Vec.t) =
   Vec.v

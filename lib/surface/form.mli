@@ -18,8 +18,8 @@ type t = private {
   gy : float;
   gz : float;
   k : float;
-  a_size : float;  (** the sum of the absolute entries of A *)
-  g_size : float;  (** the sum of the absolute entries of g *)
+  a_size : float;  (** at least the Euclidean norm of A's entries *)
+  g_size : float;  (** at least the Euclidean norm of g *)
 }
 [@@deriving show, eq, ord]
 
@@ -34,6 +34,9 @@ val is_linear : t -> bool
 
 val center : t -> Point.t
 (** [center f] is the point that [f] is written about. *)
+
+val slope : t -> Vec.t
+(** [slope f] is g, half the gradient at the centre. *)
 
 val gradient : t -> Vec.t -> Vec.t
 (** [gradient f y] is half the gradient at offset [y] from the centre. *)

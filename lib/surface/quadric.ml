@@ -301,6 +301,20 @@ let unit_direction (d : Vec.t) =
   let part x = Double_double.of_float (Float.ldexp x (-e)) in
   ({ Double_double.x = part d.x; y = part d.y; z = part d.z }, e)
 
+(* dAd, exactly, rounded to a double-double: along a generator it cancels to
+   less than double-double leaves of it. *)
+let exact_bend f (d : Double_double.vec) =
+  let zero = Expansion.of_float 0. in
+  let d = exact_dir (Vec.v d.x.hi d.y.hi d.z.hi) in
+  let a, _, _ = Form.along_exactly f { x = zero; y = zero; z = zero } d in
+  let hi = Expansion.to_float a in
+  let rest = Expansion.(sub a (of_float hi)) in
+  { Error_free.hi; lo = Expansion.to_float rest }
+
+let bend f unit (a : Double_double.t) =
+  if a.hi = 0. || Float.abs a.hi > 0x1p-45 *. f.Form.a_size then a
+  else exact_bend f unit
+
 (* The second tier: everything in double-double, the discriminant at the point
    of the line nearest to the centre. *)
 let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
@@ -309,6 +323,7 @@ let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
   let back t = Float.ldexp (to_float t) (-e) in
   let f = exact_offset q.form o in
   let { Form.a; b; c } = Form.along q.form f unit in
+  let a = bend q.form unit a in
   if a.hi = 0. then
     if b.hi = 0. then Contact.none
     else
@@ -317,7 +332,7 @@ let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
   else
     let closest = -.((dot f unit).hi /. (dot unit unit).hi) in
     let at = Form.along q.form (Double_double.along f closest unit) unit in
-    let disc = sub (mul at.b at.b) (mul at.a at.c) in
+    let disc = sub (mul at.b at.b) (mul a at.c) in
     if not (disc.hi >= 0.) then Contact.none
     else
       let root = sqrt disc in
@@ -363,13 +378,11 @@ let meet_curved q (o : Point.t) (d : Vec.t) cursor =
   let b = (vx *. dx) +. (vy *. dy) +. (vz *. dz) in
   let gp = (f.gx *. px) +. (f.gy *. py) +. (f.gz *. pz) in
   let c = (vx *. px) +. (vy *. py) +. (vz *. pz) +. gp +. f.k in
-  let dm = Float.abs dx +. Float.abs dy +. Float.abs dz in
-  let pm = Float.abs px +. Float.abs py +. Float.abs pz in
-  let fm = Float.abs fx +. Float.abs fy +. Float.abs fz in
-  (* What p may be, f being rounded. *)
-  let pm = pm +. (0x1p-52 *. fm) in
+  let dm = sqrt d2 in
+  let pm = sqrt ((px *. px) +. (py *. py) +. (pz *. pz)) in
+  let fm = sqrt ((fx *. fx) +. (fy *. fy) +. (fz *. fz)) in
   (* Error bounds in units of u; the last terms are for rounding f. *)
-  let a_doubt = 8. *. f.a_size *. dm *. dm in
+  let a_doubt = 8. *. f.a_size *. d2 in
   let b_doubt =
     dm *. ((10. *. ((f.a_size *. pm) +. f.g_size)) +. (f.a_size *. fm))
   in
@@ -416,20 +429,29 @@ let meet_surface q o d cursor =
 
 (* With the origin on the surface the equation is t (a t + 2 b) = 0. Leaving
    outwards F rises, so b > 0, and the other root is ahead only if a < 0. *)
-let meet_again q (o : Point.t) (d : Vec.t) side cursor =
+let meet_again_carefully q o d side cursor =
+  let unit, e = unit_direction d in
+  let { Form.a; b; c = _ } = Form.along q.form (exact_offset q.form o) unit in
+  let ahead =
+    match (side : Side.t) with
+    | Outside -> b.hi > 0. && a.hi < 0.
+    | Inside -> b.hi < 0. && a.hi > 0.
+  in
+  if not ahead then Contact.none
+  else
+    let t = -2. *. Float.ldexp (b.hi /. a.hi) (-e) in
+    consider q o d t b.hi Second cursor
+
+(* Most often the sign of a alone tells that nothing is ahead. *)
+let meet_again q o (d : Vec.t) side cursor =
   if q.linear then Contact.none
   else
-    let unit, e = unit_direction d in
-    let { Form.a; b; c = _ } = Form.along q.form (exact_offset q.form o) unit in
-    let ahead =
-      match (side : Side.t) with
-      | Outside -> b.hi > 0. && a.hi < 0.
-      | Inside -> b.hi < 0. && a.hi > 0.
-    in
-    if not ahead then Contact.none
-    else
-      let t = -2. *. Float.ldexp (b.hi /. a.hi) (-e) in
-      consider q o d t b.hi Second cursor
+    let f = q.form in
+    let d2 = Vec.dot d d in
+    let a = Vec.dot d (Form.gradient f d) -. Vec.dot d (Form.slope f) in
+    let doubt = 0x1p-49 *. ((f.a_size *. d2) +. (f.g_size *. sqrt d2)) in
+    let a = match (side : Side.t) with Outside -> a | Inside -> -.a in
+    if a > doubt then Contact.none else meet_again_carefully q o d side cursor
 
 (* Whether F <= 0 where the ray crosses the plane of a cut: by its double at the
    rounded point unless that could be rounding, else exactly. *)
@@ -438,7 +460,7 @@ let on_disk q o d t cut =
   let f = q.form in
   let y = Point.sub p (Form.center f) in
   let g = Form.gradient f y in
-  let value = Vec.dot g y +. Vec.dot (Vec.v f.gx f.gy f.gz) y +. f.k in
+  let value = Vec.dot g y +. Vec.dot (Form.slope f) y +. f.k in
   let norm1 (v : Vec.t) = Float.abs v.x +. Float.abs v.y +. Float.abs v.z in
   let reach = norm1 (Point.sub o (Form.center f)) +. (t *. norm1 d) in
   (* y is off by 8 ulp of t d and the roundings of p and y. *)
@@ -454,8 +476,8 @@ let on_disk q o d t cut =
     (* w^2 F(-v/w) = v (a v - b w) - w (b v - c w) *)
     sign (sub (mul v ab) (mul w bc)) <= 0
 
-(* Where the ray crosses the plane of a cut, and how fast. *)
-let cut_distance h (o : Point.t) (d : Vec.t) =
+(* The normal of a cut, and how far [o] is below its plane in units of it. *)
+let below h (o : Point.t) =
   let open Double_double in
   let n =
     { x = of_float h.Half_space.nx; y = of_float h.ny; z = of_float h.nz }
@@ -467,9 +489,15 @@ let cut_distance h (o : Point.t) (d : Vec.t) =
       z = Error_free.two_diff o.z h.pz;
     }
   in
+  (n, sub (of_float h.c) (dot n from))
+
+(* Where the ray crosses the plane of a cut, and how fast. *)
+let cut_distance h o d =
+  let n, below = below h o in
   let unit, e = unit_direction d in
-  let above = sub (of_float h.c) (dot n from) and across = dot n unit in
-  (Float.ldexp (to_float (div above across)) (-e), across.hi)
+  let across = Double_double.dot n unit in
+  let t = Double_double.(to_float (div below across)) in
+  (Float.ldexp t (-e), across.hi)
 
 let meet_disk q (o : Point.t) (d : Vec.t) end_ left cursor =
   let h = q.cuts.(end_) in
@@ -548,15 +576,17 @@ let locate_surface q o (d : Vec.t) t =
   }
 
 let locate_disk q o d t end_ =
-  let { Half_space.nx; ny; nz; px; py; pz; c } = q.cuts.(end_) in
-  let n = Vec.v nx ny nz in
+  let h = q.cuts.(end_) in
+  let n = Vec.v h.nx h.ny h.nz in
   let first = Point.along o d t in
-  let miss = Vec.dot n (Point.sub first (Point.v px py pz)) -. c in
-  let point = Point.add first (Vec.scale (-.miss /. Vec.dot n n) n) in
+  let _, below = below h first in
+  let move = Vec.scale (below.hi /. Vec.dot n n) n in
+  let point = Point.add first move in
+  let rounded = rounding (Point.add Point.origin move) in
   {
     Local.point;
     normal = Dir.of_vec_or Dir.z n;
-    error = Vec.scale 4. (rounding point);
+    error = Vec.scale 4. (Vec.add (rounding point) rounded);
     flat = true;
     uv = lazy (uv q point (Point.sub point (Form.center q.form)));
     shading_normal = None;

@@ -16,7 +16,7 @@ type uv = {
 
 type t = {
   corners : corners;
-  normals : (Dir.t * Dir.t * Dir.t) option;
+  normals : (Vec.t * Vec.t * Vec.t) option;
   uv : uv option;
 }
 [@@deriving show, eq, ord]
@@ -48,8 +48,8 @@ let has_area corners =
 
 let directions (a, b, c) =
   match (Dir.of_vec a, Dir.of_vec b, Dir.of_vec c) with
-  | Some a, Some b, Some c -> Ok (Some (a, b, c))
-  | None, _, _ | _, None, _ | _, _, None -> Error "a normal must not be zero"
+  | Some a, Some b, Some c -> Some (a, b, c)
+  | None, _, _ | _, None, _ | _, _, None -> None
 
 let make ?normals ?uv corners =
   let { a; b; c } = corners in
@@ -57,20 +57,23 @@ let make ?normals ?uv corners =
     Error Reach.message
   else if not (has_area corners) then
     Error "the triangle has no area: its corners lie on one line"
-  else
-    match Option.fold ~none:(Ok None) ~some:directions normals with
-    | Ok normals -> Ok { corners; normals; uv }
-    | Error _ as e -> e
+  else if
+    Option.is_some normals && Option.is_none (Option.bind normals directions)
+  then Error "a normal must be finite and not zero"
+  else Ok { corners; normals; uv }
 
 let bounds { corners = { a; b; c }; _ } = Bounds.of_points [ a; b; c ]
 
 (* {1 Meeting} *)
 
-let[@inline] largest3 (v : Vec.t) m =
-  let x = Float.abs v.x and y = Float.abs v.y and z = Float.abs v.z in
-  let m = if x > m then x else m in
-  let m = if y > m then y else m in
+let[@inline] largest x y z =
+  let x = Float.abs x and y = Float.abs y and z = Float.abs z in
+  let m = if y > x then y else x in
   if z > m then z else m
+
+let[@inline] largest3 (v : Vec.t) m =
+  let l = largest v.x v.y v.z in
+  if l > m then l else m
 
 (* The corners as seen from the origin, and the direction, all exact: lengths
    times 2^length, the direction times 2^time. *)
@@ -147,45 +150,72 @@ let exact_distance corners o d =
   Float.ldexp t (time - length)
 
 (* Where the ray crosses the plane: ((a - o).n) / (d.n) with n = (b-a) x (c-a).
-   Double-double, since near the plane or along it both dot products cancel.
-   The sides and the direction are brought near 1 by powers of two, so that
-   nothing overflows; then the dot products are off by less than 2^-99, and
-   where that could matter they are taken exactly. *)
-let plane_distance corners (o : Point.t) (direction : Vec.t) =
-  let open Double_double in
-  let diff (p : Point.t) (q : Point.t) =
-    {
-      x = Error_free.two_diff p.x q.x;
-      y = Error_free.two_diff p.y q.y;
-      z = Error_free.two_diff p.z q.z;
-    }
+   Near the plane or along it both products cancel, so every number is carried as
+   a sum of two doubles; written out, since nothing here may allocate. *)
+let plane_distance ({ a; b; c } as corners) (o : Point.t) (d : Vec.t) =
+  let open Error_free in
+  let px = b.x -. a.x and py = b.y -. a.y and pz = b.z -. a.z in
+  let qx = c.x -. a.x and qy = c.y -. a.y and qz = c.z -. a.z in
+  let rx = a.x -. o.x and ry = a.y -. o.y and rz = a.z -. o.z in
+  (* What the differences lost. *)
+  let px' = sum_error b.x (-.a.x) px
+  and py' = sum_error b.y (-.a.y) py
+  and pz' = sum_error b.z (-.a.z) pz in
+  let qx' = sum_error c.x (-.a.x) qx
+  and qy' = sum_error c.y (-.a.y) qy
+  and qz' = sum_error c.z (-.a.z) qz in
+  let rx' = sum_error a.x (-.o.x) rx
+  and ry' = sum_error a.y (-.o.y) ry
+  and rz' = sum_error a.z (-.o.z) rz in
+  (* n and its error *)
+  let yz = py *. qz and zy = pz *. qy in
+  let zx = pz *. qx and xz = px *. qz in
+  let xy = px *. qy and yx = py *. qx in
+  let nx = yz -. zy and ny = zx -. xz and nz = xy -. yx in
+  let nx' =
+    sum_error yz (-.zy) nx +. product_error py qz yz -. product_error pz qy zy
+    +. ((py' *. qz) +. (py *. qz') -. (pz' *. qy) -. (pz *. qy'))
+  and ny' =
+    sum_error zx (-.xz) ny +. product_error pz qx zx -. product_error px qz xz
+    +. ((pz' *. qx) +. (pz *. qx') -. (px' *. qz) -. (px *. qz'))
+  and nz' =
+    sum_error xy (-.yx) nz +. product_error px qy xy -. product_error py qx yx
+    +. ((px' *. qy) +. (px *. qy') -. (py' *. qx) -. (py *. qx'))
   in
-  let unit v =
-    let larger a b = Float.max a (Float.abs b) in
-    let m = larger (larger (larger 0. v.x.hi) v.y.hi) v.z.hi in
-    let e = snd (Float.frexp m) in
-    ({ x = shift (-e) v.x; y = shift (-e) v.y; z = shift (-e) v.z }, e)
+  (* d.n *)
+  let x = d.x *. nx and y = d.y *. ny and z = d.z *. nz in
+  let xy = x +. y in
+  let sum = xy +. z in
+  let across =
+    sum
+    +. (sum_error x y xy +. sum_error xy z sum +. product_error d.x nx x
+      +. product_error d.y ny y +. product_error d.z nz z
+       +. ((d.x *. nx') +. (d.y *. ny') +. (d.z *. nz')))
   in
-  let cross p q =
-    {
-      x = sub (mul p.y q.z) (mul p.z q.y);
-      y = sub (mul p.z q.x) (mul p.x q.z);
-      z = sub (mul p.x q.y) (mul p.y q.x);
-    }
+  (* (a - o).n *)
+  let x = rx *. nx and y = ry *. ny and z = rz *. nz in
+  let xy = x +. y in
+  let sum = xy +. z in
+  let away =
+    sum
+    +. (sum_error x y xy +. sum_error xy z sum +. product_error rx nx x
+      +. product_error ry ny y +. product_error rz nz z
+       +. ((rx *. nx') +. (ry *. ny') +. (rz *. nz'))
+       +. ((rx' *. nx) +. (ry' *. ny) +. (rz' *. nz)))
   in
-  let side_b, _ = unit (diff corners.b corners.a)
-  and side_c, _ = unit (diff corners.c corners.a)
-  and offset, eo = unit (diff corners.a o)
-  and d, ed =
-    let { Vec.x; y; z } = direction in
-    unit { x = of_float x; y = of_float y; z = of_float z }
-  in
-  let n = cross side_b side_c in
-  let above = dot offset n and across = dot d n in
-  let known x = Float.abs x.Error_free.hi > 0x1p-45 in
-  if known above && known across then
-    Float.ldexp (to_float (div above across)) (eo - ed)
-  else exact_distance corners o direction
+  (* Both are off by less than 2^-99 of the product of their largest factors;
+     where that could matter, or the range is left, they are taken exactly. *)
+  let n = largest px py pz *. largest qx qy qz in
+  let least_across = 0x1p-45 *. n *. largest d.x d.y d.z
+  and least_away = 0x1p-45 *. n *. largest rx ry rz in
+  if
+    Float.abs across > least_across
+    && Float.abs away > least_away
+    && least_across > 0x1p-900 && least_away > 0x1p-900
+    && Float.abs across < infinity
+    && Float.abs away < infinity
+  then away /. across
+  else exact_distance corners o d
 
 let meet s o d left cursor =
   if not (Contact.is_none left) then Contact.none
@@ -199,29 +229,49 @@ let meet s o d left cursor =
 
 (* {1 Locating} *)
 
-let normal corners =
-  let n =
-    Vec.cross (Point.sub corners.b corners.a) (Point.sub corners.c corners.a)
-  in
-  match Dir.of_vec n with
-  | Some n -> n
-  | None ->
-      (* The area underflows: its factors do not. *)
-      let { a; b; c } = rescaled (raise_to_300 (size_of corners)) corners in
-      Dir.of_vec_or Dir.z (Vec.cross (Point.sub b a) (Point.sub c a))
+(* A product of vectors is far below that of their sizes where it cancels: in
+   needles, and seen from along the plane. Then it is taken exactly. *)
+let[@inline] cancels x size = not (Float.abs x > 0x1p-16 *. size)
 
-let clamp w = if w > 0. then if w < 1. then w else 1. else 0.
+let exact_normal corners =
+  let { a; b; c } = rescaled (raise_to_300 (size_of corners)) corners in
+  let n = Expansion.cross (exact_diff b a) (exact_diff c a) in
+  Vec.v (Expansion.to_float n.x) (Expansion.to_float n.y)
+    (Expansion.to_float n.z)
+
+let normal corners =
+  let p = Point.sub corners.b corners.a and q = Point.sub corners.c corners.a in
+  let n = Vec.cross p q and size = Vec.largest p *. Vec.largest q in
+  let plain = size > 0x1p-900 && not (cancels (Vec.largest n) size) in
+  Dir.of_vec_or Dir.z (if plain then n else exact_normal corners)
+
+let exact_weights corners o d =
+  let { to_a; to_b; to_c; toward; _ } = view corners o d in
+  let volume p q = Expansion.(dot toward (cross p q)) in
+  let eb = volume to_c to_a and ec = volume to_a to_b in
+  let sum = Expansion.(add (volume to_b to_c) (add eb ec)) in
+  (Expansion.ratio eb sum, Expansion.ratio ec sum)
+
+(* The weights of b and c where the line crosses the plane. *)
+let weights corners o d =
+  let p = Point.sub corners.b corners.a
+  and q = Point.sub corners.c corners.a
+  and r = Point.sub corners.a o in
+  let across = Vec.dot d (Vec.cross p q) in
+  let size = Vec.largest p *. Vec.largest q *. Vec.largest d in
+  let far = size *. Vec.largest r in
+  if cancels across size || not (far > 0x1p-900 && far < 0x1p900) then
+    exact_weights corners o d
+  else (Vec.dot d (Vec.cross q r) /. across, Vec.dot d (Vec.cross r p) /. across)
+
+let clamp w ~most = if w > 0. then if w < most then w else most else 0.
 
 let locate { corners; normals; uv } o d =
-  let a = Point.sub corners.a o
-  and b = Point.sub corners.b o
-  and c = Point.sub corners.c o in
-  let ea = Vec.dot d (Vec.cross b c)
-  and eb = Vec.dot d (Vec.cross c a)
-  and ec = Vec.dot d (Vec.cross a b) in
-  let sum = ea +. eb +. ec in
-  let wb = clamp (eb /. sum) and wc = clamp (ec /. sum) in
-  let wa = clamp (1. -. wb -. wc) in
+  let wb, wc = weights corners o d in
+  (* Together they stay 1, or the point would leave the plane. *)
+  let wb = clamp wb ~most:1. in
+  let wc = clamp wc ~most:(1. -. wb) in
+  let wa = 1. -. wb -. wc in
   let mix x y z = (wa *. x) +. (wb *. y) +. (wc *. z) in
   let { a; b; c } = corners in
   let spread x y z =
@@ -243,5 +293,5 @@ let locate { corners; normals; uv } o d =
         (match uv with
         | Some t -> Some (mix t.ua t.ub t.uc, mix t.va t.vb t.vc)
         | None -> Some (wb, wc));
-    shading_normal = Option.bind normals smooth;
+    shading_normal = Option.bind (Option.bind normals directions) smooth;
   }

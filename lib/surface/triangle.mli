@@ -18,8 +18,8 @@ type uv = {
 
 type t = private {
   corners : corners;
-  normals : (Dir.t * Dir.t * Dir.t) option;
-      (** what interpolated normals are made from *)
+  normals : (Vec.t * Vec.t * Vec.t) option;
+      (** what interpolated normals are made from, of any length *)
   uv : uv option;
 }
 [@@deriving show, eq, ord]
