@@ -1,0 +1,22 @@
+let top_level =
+  [
+    "image";
+    "camera";
+    "background";
+    "ambient";
+    "indirect-light";
+    "fog";
+    "render";
+    "light";
+    "material";
+    "define";
+    "include";
+    "sphere";
+    "box";
+    "triangle";
+    "quadric";
+    "polygon";
+    "mesh";
+    "group";
+    "use";
+  ]
