@@ -14,10 +14,14 @@ let guard name f =
   | x -> Ok x
   | exception ((Unix.Unix_error _ | Sys_error _) as e) -> Error (explain name e)
 
+(* As much of the target's name as leaves room for the rest, so that the longest
+   name a system allows can be written. *)
+let stem base = String.sub base 0 (Int.min 100 (String.length base))
+
 let rec create directory base n =
   let temporary =
     Filename.concat directory
-      (Printf.sprintf ".%s.%d.%d.part" base (Unix.getpid ()) n)
+      (Printf.sprintf ".%s.%d.%d.part" (stem base) (Unix.getpid ()) n)
   in
   match
     Unix.openfile temporary [ O_WRONLY; O_CREAT; O_EXCL; O_CLOEXEC ] 0o666

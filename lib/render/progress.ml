@@ -15,8 +15,8 @@ let make ~quiet =
 let elapsed p = Mtime.Span.to_float_ns (Mtime_clock.count p.clock) *. 1e-9
 
 let time s =
-  if s < 10. then Printf.sprintf "%.1f s" s
-  else if s < 60. then Printf.sprintf "%.0f s" s
+  if s < 9.95 then Printf.sprintf "%.1f s" s
+  else if s < 59.5 then Printf.sprintf "%.0f s" s
   else
     let s = int_of_float (Float.round s) in
     if s < 3600 then Printf.sprintf "%d min %d s" (s / 60) (s mod 60)
@@ -28,15 +28,18 @@ let bar share =
   let full = int_of_float (share *. float_of_int width) in
   String.make full '#' ^ String.make (width - full) '.'
 
+(* A picture does not fail because nobody listens. *)
+let talk format =
+  let speak text = try Printf.eprintf "%s%!" text with Sys_error _ -> () in
+  Printf.ksprintf speak format
+
 let say p now share =
   let left = if share > 0. then now *. (1. -. share) /. share else infinity in
   let left = if left < infinity then time left ^ " left" else "" in
   match p.style with
   | Silent -> ()
-  | Bar ->
-      Printf.eprintf "\r[%s] %3.0f %%  %s\027[K%!" (bar share) (100. *. share)
-        left
-  | Lines -> Printf.eprintf "%3.0f %% done, %s\n%!" (100. *. share) left
+  | Bar -> talk "\r[%s] %3.0f %%  %s\027[K" (bar share) (100. *. share) left
+  | Lines -> talk "%3.0f %% done, %s\n" (100. *. share) left
 
 let pause = function Silent -> infinity | Bar -> 0.1 | Lines -> 5.
 
@@ -47,4 +50,4 @@ let report p share =
     say p now share
 
 let finish p =
-  match p.style with Bar -> Printf.eprintf "\r\027[K%!" | Silent | Lines -> ()
+  match p.style with Bar -> talk "\r\027[K" | Silent | Lines -> ()

@@ -1,0 +1,3 @@
+(** [candor cast]. *)
+
+val command : Status.t Cmdliner.Cmd.t

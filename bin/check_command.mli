@@ -1,0 +1,3 @@
+(** [candor check]. *)
+
+val command : Status.t Cmdliner.Cmd.t

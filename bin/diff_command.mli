@@ -1,0 +1,3 @@
+(** [candor diff]. *)
+
+val command : Status.t Cmdliner.Cmd.t

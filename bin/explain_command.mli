@@ -1,0 +1,3 @@
+(** [candor explain]. *)
+
+val command : Status.t Cmdliner.Cmd.t

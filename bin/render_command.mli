@@ -1,0 +1,3 @@
+(** [candor render]. *)
+
+val command : Status.t Cmdliner.Cmd.t

@@ -1,0 +1,131 @@
+open Cmdliner
+open Candor_scene
+
+type t = {
+  size : (int * int) option;
+  spp : int option;
+  depth : int option;
+  cutoff : float option;
+  seed : int option;
+  filter : Scene.filter option;
+}
+
+(* {1 Converters} *)
+
+let conv ~docv parse print =
+  Arg.Conv.make ~docv
+    ~parser:(fun s ->
+      Result.map_error (fun why -> "'" ^ s ^ "': " ^ why) (parse s))
+    ~pp:(fun ppf x -> Format.pp_print_string ppf (print x))
+    ()
+
+let whole ~docv ~least =
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when n >= least -> Ok n
+    | Some _ | None ->
+        Error (Printf.sprintf "expected a whole number, at least %d" least)
+  in
+  conv ~docv parse string_of_int
+
+let most_pixels = 65536
+
+let size =
+  let parse s =
+    match List.map int_of_string_opt (String.split_on_char 'x' s) with
+    | [ Some w; Some h ]
+      when w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels ->
+        Ok (w, h)
+    | _ ->
+        Error
+          (Printf.sprintf "expected WIDTHxHEIGHT such as 640x480, up to %d each"
+             most_pixels)
+  in
+  conv ~docv:"WxH" parse (fun (w, h) -> Printf.sprintf "%dx%d" w h)
+
+let weight =
+  let parse s =
+    match float_of_string_opt s with
+    | Some w when w >= 0. && Float.is_finite w -> Ok w
+    | Some _ | None -> Error "expected a number, at least 0"
+  in
+  conv ~docv:"W" parse (Printf.sprintf "%g")
+
+let filter = Arg.enum [ ("box", (Box : Scene.filter)); ("tent", Tent) ]
+
+(* {1 Options} *)
+
+let option names kind docv doc =
+  Arg.(value & opt (some kind) None & info names ~docv ~doc)
+
+let size = option [ "size" ] size "WxH" "Size of the picture in pixels."
+
+let spp =
+  option [ "spp" ] (whole ~docv:"N" ~least:1) "N"
+    "Samples per pixel. One sample is taken at the pixel's centre."
+
+let depth =
+  option [ "depth" ] (whole ~docv:"N" ~least:0) "N"
+    "The most reflections along one path; 0 shows the first hit with its \
+     lights."
+
+let cutoff =
+  option [ "cutoff" ] weight "W"
+    "Paths whose largest throughput component falls below $(docv) end."
+
+let seed =
+  option [ "seed" ]
+    (whole ~docv:"N" ~least:min_int)
+    "N" "Chooses the random numbers: the same seed gives the same picture."
+
+let filter =
+  option [ "filter" ] filter "FILTER"
+    "How samples spread around a pixel: $(b,box) or $(b,tent)."
+
+let term =
+  let make size spp depth cutoff seed filter =
+    { size; spp; depth; cutoff; seed; filter }
+  in
+  Term.(const make $ size $ spp $ depth $ cutoff $ seed $ filter)
+
+let apply o (s : Scene.t) =
+  let width, height = Option.value o.size ~default:(s.width, s.height) in
+  let or_ given x = Option.value given ~default:x in
+  let { Scene.spp; depth; cutoff; seed; filter } = s.settings in
+  let settings =
+    {
+      Scene.spp = or_ o.spp spp;
+      depth = or_ o.depth depth;
+      cutoff = or_ o.cutoff cutoff;
+      seed = or_ o.seed seed;
+      filter = or_ o.filter filter;
+    }
+  in
+  { s with width; height; settings }
+
+(* {1 Scenes} *)
+
+let scene =
+  Arg.(
+    required
+    & pos 0 (some string) None
+    & info [] ~docv:"SCENE" ~doc:"The scene file to work on.")
+
+let read file =
+  Result.map_error
+    (fun report ->
+      Format.eprintf "%a%!" Candor_read.Error.pp_report report;
+      Status.Reported)
+    (Candor_read.Scene_file.read file)
+
+let all_effects =
+  Arg.(
+    value & flag
+    & info [ "all-effects" ]
+        ~doc:
+          "Compile every effect in, whether the scene calls for it or not. \
+           Same picture, bit for bit; more time.")
+
+let plan ~all_effects scene =
+  if all_effects then Candor_effect.Plan.all scene
+  else Candor_effect.Plan.of_scene scene

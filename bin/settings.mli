@@ -1,0 +1,22 @@
+(** Options that override what a scene says of its picture. *)
+
+open Candor_scene
+
+type t
+
+val term : t Cmdliner.Term.t
+(** [term] is [--size], [--spp], [--depth], [--cutoff], [--seed] and [--filter].
+*)
+
+val apply : t -> Scene.t -> Scene.t
+(** [apply o s] is [s] with what [o] overrides. *)
+
+val scene : string Cmdliner.Term.t
+(** [scene] is the one scene file that a command works on. *)
+
+val read : string -> (Scene.t, Status.t) result
+(** [read file] is the scene in [file]; if something is wrong with it, the user
+    has been told all of it. *)
+
+val plan : all_effects:bool -> Scene.t -> Candor_effect.Plan.t
+val all_effects : bool Cmdliner.Term.t

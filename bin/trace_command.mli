@@ -1,0 +1,3 @@
+(** [candor trace]. *)
+
+val command : Status.t Cmdliner.Cmd.t
