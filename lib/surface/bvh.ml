@@ -71,9 +71,17 @@ type ('a, 'context) walk = {
 }
 
 (* Each end of a slab is off by at most three roundings (M. Pharr, W. Jakob, G.
-   Humphreys, Physically Based Rendering, 4th ed., 6.8): widening the far end by
-   twice that makes the test conservative. *)
-let far_factor = 1. +. (2. *. (3. *. 0x1p-53 /. (1. -. (3. *. 0x1p-53))))
+   Humphreys, Physically Based Rendering, 4th ed., 6.8), and the t of a hit by
+   some ulps: widening the far end by more makes the test conservative. Below
+   the normal numbers rounding is absolute. *)
+let far_factor = 1. +. 0x1p-48
+let far_more = 0x1p-1070
+
+(* A reciprocal that overflows would make the ray parallel to the axis; nan
+   leaves the axis out. *)
+let[@inline] reciprocal d =
+  let i = 1. /. d in
+  if Float.abs i = infinity && d <> 0. then nan else i
 
 (* Comparisons are written so that a nan (the origin in a face, the ray along
    it) leaves the interval as it was, on every axis. *)
@@ -98,7 +106,7 @@ let[@inline] meets w n =
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
-  t0 <= t1 *. far_factor
+  t0 <= (t1 *. far_factor) +. far_more
 
 let descending w axis =
   (if axis = 0 then w.near_x else if axis = 1 then w.near_y else w.near_z)
@@ -124,7 +132,7 @@ let rec visit_node w n =
   else visit_node w (n + 1) || visit_node w (Tree.high_child link)
 
 let visit h (o : Point.t) (d : Vec.t) cursor context test =
-  let ix = 1. /. d.x and iy = 1. /. d.y and iz = 1. /. d.z in
+  let ix = reciprocal d.x and iy = reciprocal d.y and iz = reciprocal d.z in
   let end_of i = if i >= 0. then 0 else 1 in
   let w =
     {

@@ -32,63 +32,6 @@ let show q = show_written (written q)
 
 (* {1 Making} *)
 
-let symmetric n q =
-  let at i j = q.((n * i) + j) in
-  let same i j = Float.equal (at i j) (at j i) in
-  List.for_all
-    (fun i -> List.for_all (same i) (List.init n Fun.id))
-    (List.init n Fun.id)
-
-let positive (r : Vec.t) = r.x > 0. && r.y > 0. && r.z > 0.
-let radii_error = "the radii must be above 0"
-let size_ok x = Float.abs x >= 0x1p-400 && Reach.length x
-
-let check_axial from until radius =
-  let axis = Point.sub until from in
-  if not (Reach.point from && Reach.point until && Reach.length radius) then
-    Error Reach.message
-  else if not (radius > 0.) then Error "the radius must be above 0"
-  else if not (size_ok (Vec.norm axis) && size_ok radius) then
-    Error "the two ends must be apart, and the radius not below 2^-400"
-  else Ok ()
-
-let check_radii center (radii : Vec.t) =
-  if not (Reach.point center && Reach.vec radii) then Error Reach.message
-  else if not (positive radii) then Error radii_error
-  else if not (size_ok radii.x && size_ok radii.y && size_ok radii.z) then
-    Error "the radii must not be below 2^-400"
-  else Ok ()
-
-let check_shape : Quadric_shape.t -> (unit, string) result = function
-  | Matrix q ->
-      if Array.length q <> 16 then Error "a matrix has 16 numbers"
-      else if not (Array.for_all Float.is_finite q) then Error Reach.message
-      else if not (symmetric 4 q) then
-        Error "the matrix is not symmetric: qij and qji must be equal"
-      else Ok ()
-  | Form { a; b; c } ->
-      if Array.length a <> 9 then Error "the form's a has 9 numbers"
-      else if
-        not
-          (Array.for_all Float.is_finite a
-          && Vec.is_finite b && Float.is_finite c)
-      then Error Reach.message
-      else if not (symmetric 3 a) then
-        Error "the form's a is not symmetric: aij and aji must be equal"
-      else Ok ()
-  | Plane { normal; offset } ->
-      if not (Reach.vec normal && Reach.length offset) then Error Reach.message
-      else if Vec.equal normal Vec.zero then Error "the normal must not be zero"
-      else Ok ()
-  | Cylinder { from; until; radius } -> check_axial from until radius
-  | Cone { apex; base; radius } | Paraboloid { apex; base; radius } ->
-      check_axial apex base radius
-  | Ellipsoid { center; radii }
-  | Hyperbolic_paraboloid { center; radii }
-  | Hyperboloid_one_sheet { center; radii }
-  | Hyperboloid_two_sheets { center; radii } ->
-      check_radii center radii
-
 let check_clip = function
   | None -> Ok ()
   | Some (b : Bounds.t) ->
@@ -108,14 +51,6 @@ let ends first axis =
     { Half_space.nx = -.nx; ny = -.ny; nz = -.nz; px; py; pz; c = 0. };
   |]
 
-let axis_of : Quadric_shape.t -> (Point.t * Point.t * float) option = function
-  | Cylinder { from; until; radius } -> Some (from, until, radius)
-  | Cone { apex; base; radius } | Paraboloid { apex; base; radius } ->
-      Some (apex, base, radius)
-  | Matrix _ | Form _ | Plane _ | Ellipsoid _ | Hyperbolic_paraboloid _
-  | Hyperboloid_one_sheet _ | Hyperboloid_two_sheets _ ->
-      None
-
 let closed_ends caps : Quadric_shape.t -> int array = function
   | Cylinder _ when caps -> [| 0; 1 |]
   | (Cone _ | Paraboloid _) when caps -> [| 0 |]
@@ -123,21 +58,6 @@ let closed_ends caps : Quadric_shape.t -> int array = function
   | Ellipsoid _ | Hyperbolic_paraboloid _ | Hyperboloid_one_sheet _
   | Hyperboloid_two_sheets _ ->
       [||]
-
-let natural_bounds : Quadric_shape.t -> Bounds.t = function
-  | Ellipsoid { center; radii } ->
-      Bounds.widen 0.
-        (Bounds.v (Point.add center (Vec.neg radii)) (Point.add center radii))
-  | Cylinder { from = p; until = q; radius }
-  | Cone { apex = p; base = q; radius }
-  | Paraboloid { apex = p; base = q; radius } ->
-      (* The double coefficients are off by a few ulp; so is the reach. *)
-      let reach = radius *. (1. +. 0x1p-40) in
-      let far = Vec.norm (Point.sub q p) *. 0x1p-40 in
-      Bounds.widen (reach +. far) (Bounds.of_points [ p; q ])
-  | Matrix _ | Form _ | Plane _ | Hyperbolic_paraboloid _
-  | Hyperboloid_one_sheet _ | Hyperboloid_two_sheets _ ->
-      Bounds.everything
 
 let largest_axis (v : Vec.t) =
   let x = Float.abs v.x and y = Float.abs v.y and z = Float.abs v.z in
@@ -147,7 +67,7 @@ let map_of (shape : Quadric_shape.t) axial =
   match (shape, axial) with
   | Plane { normal; _ }, _ -> Planar (largest_axis normal)
   | _, None -> No_map
-  | _, Some (first, second, _) -> (
+  | _, Some { Quadric_shape.first; second; radius = _ } -> (
       let axis = Point.sub second first in
       match Dir.of_vec axis with
       | None -> No_map
@@ -155,8 +75,8 @@ let map_of (shape : Quadric_shape.t) axial =
           Axial { frame = Frame.of_dir w; axis; length2 = Vec.dot axis axis })
 
 let make ?clip ?(caps = false) shape =
-  let axial = axis_of shape in
-  match (check_shape shape, check_clip clip) with
+  let axial = Quadric_shape.ends shape in
+  match (Quadric_shape.check shape, check_clip clip) with
   | (Error _ as e), _ | _, (Error _ as e) -> e
   | Ok (), Ok () when caps && Option.is_none axial ->
       Error "only a cylinder, a cone or a paraboloid has ends to cap"
@@ -165,7 +85,8 @@ let make ?clip ?(caps = false) shape =
       let cuts =
         match axial with
         | None -> [||]
-        | Some (first, second, _) -> ends first (Point.sub second first)
+        | Some { first; second; radius = _ } ->
+            ends first (Point.sub second first)
       in
       let clip_cuts = Option.fold ~none:[] ~some:Half_space.of_bounds clip in
       let clip_box = Option.value clip ~default:Bounds.everything in
@@ -183,18 +104,11 @@ let make ?clip ?(caps = false) shape =
             linear = Form.is_linear form;
             cuts = Array.append cuts (Array.of_list clip_cuts);
             disks = closed_ends caps shape;
-            bounds = Bounds.meet (natural_bounds shape) clip_box;
+            bounds = Bounds.meet (Quadric_shape.bounds shape) clip_box;
             map = map_of shape axial;
           }
 
 (* {1 Cutting} *)
-
-type root = First | Second
-(* Of a t^2 + 2 b t + c, with r = -(b + sign(b) sqrt(b^2 - ac)): the first root
-   is c/r (the only one if a = 0), the second r/a. F falls through the second if b >= 0, and through the
-   first if b < 0. *)
-
-let falls b root = match root with First -> not (b >= 0.) | Second -> b >= 0.
 
 let exact_vec (o : Point.t) (p : Point.t) =
   {
@@ -209,36 +123,6 @@ let exact_dir (d : Vec.t) =
     y = Expansion.of_float d.y;
     z = Expansion.of_float d.z;
   }
-
-(* Whether a root t of a t^2 + 2 b t + c satisfies v + t w <= 0, exactly. With
-   s = -v/w the question is how t compares with s, which the signs of the
-   polynomial and of its slope at s answer. [falling] is the sign of the slope
-   at the root. *)
-let root_in (a, b, c) ~falling (v, w) =
-  let open Expansion in
-  match sign w with
-  | 0 -> sign v <= 0
-  | sw ->
-      let w2 = mul w w in
-      let two x = add x x in
-      (* w^2 F(s) = a v^2 - 2 b v w + c w^2;  w^2 slope(s) = -a v w + b w^2 *)
-      let value =
-        sub (add (mul a (mul v v)) (mul c w2)) (two (mul b (mul v w)))
-      in
-      let slope = sub (mul b w2) (mul a (mul v w)) in
-      let fs = sign value and gs = sign slope in
-      let slope_at_root = if falling then -1 else 1 in
-      (* The sign of s - t. *)
-      let order =
-        match sign a with
-        | 0 -> fs * slope_at_root
-        | sa ->
-            if fs = 0 then if gs = slope_at_root || gs = 0 then 0 else gs * sa
-            else if fs = sa then gs * sa (* s is outside of both roots *)
-            else -slope_at_root * sa (* between them *)
-      in
-      (* v + t w <= 0 iff t <= s for w > 0, t >= s for w < 0. *)
-      sw * order >= 0
 
 let exact_equation q o d =
   let f = exact_vec o (Form.center q.form) in
@@ -257,7 +141,8 @@ let within_cuts q o d t solved ~except =
     | Unsure -> (
         let cut = Half_space.along h o d in
         match solved with
-        | Of_form { falling } -> root_in (exact_equation q o d) ~falling cut
+        | Of_form { falling } ->
+            Root.is_within (exact_equation q o d) ~falling cut
         | Of_cut k ->
             let v, w = Half_space.along q.cuts.(k) o d in
             let v', w' = cut in
@@ -273,20 +158,22 @@ let within_cuts q o d t solved ~except =
 (* {1 Meeting} *)
 
 let contact_of_root b root =
-  Contact.v ~part:0 (if falls b root then Side.Outside else Inside)
+  Contact.v ~part:0 (if Root.falls ~b root then Side.Outside else Inside)
 
 let consider q o d t b root cursor =
   if
     t > 0. && t <= cursor.Cursor.t
-    && within_cuts q o d t (Of_form { falling = falls b root }) ~except:(-1)
+    && within_cuts q o d t
+         (Of_form { falling = Root.falls ~b root })
+         ~except:(-1)
   then Cursor.take cursor t (contact_of_root b root)
   else Contact.none
 
 let[@inline] later earlier last = if Contact.is_none last then earlier else last
 
 let consider_both q o d ~first ~second b cursor =
-  let earlier = consider q o d first b First cursor in
-  later earlier (consider q o d second b Second cursor)
+  let earlier = consider q o d first b Root.First cursor in
+  later earlier (consider q o d second b Root.Second cursor)
 
 let exact_offset f (o : Point.t) =
   let c = Form.center f in
@@ -352,7 +239,7 @@ let meet_linear q (o : Point.t) (d : Vec.t) cursor =
   let c_size = (2. *. (abs cx +. abs cy +. abs cz)) +. abs f.k in
   if b_size <= 2. *. abs b && c_size <= 2. *. abs c && b_size > 0x1p-900 then
     let t = -.c /. (2. *. b) in
-    if t > 0. && t <= cursor.Cursor.t then consider q o d t b First cursor
+    if t > 0. && t <= cursor.Cursor.t then consider q o d t b Root.First cursor
     else Contact.none
   else meet_carefully q o d cursor
 

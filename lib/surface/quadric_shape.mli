@@ -22,3 +22,17 @@ type t =
   | Hyperboloid_two_sheets of { center : Point.t; radii : Vec.t }
       (** x²/a² + y²/b² − z²/c² + 1 *)
 [@@deriving show, eq, ord]
+
+val check : t -> (unit, string) result
+(** [check s] is [Error why] for an asymmetric matrix, radii that are not
+    positive, an axis of no length, a zero normal, or numbers beyond 2^±400. *)
+
+type ends = { first : Point.t; second : Point.t; radius : float }
+
+val ends : t -> ends option
+(** [ends s] is where the axis of a cylinder, cone or paraboloid begins and
+    ends, and the radius there (for the latter two, at the second end). *)
+
+val bounds : t -> Bounds.t
+(** [bounds s] is a box that holds [s], cut at its ends; not finite where [s] is
+    unbounded. *)

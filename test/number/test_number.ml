@@ -1,0 +1,8 @@
+let () =
+  Alcotest.run "number"
+    [
+      Test_error_free.suite;
+      Test_double_double.suite;
+      Test_expansion.suite;
+      Test_angle.suite;
+    ]

@@ -1,0 +1,402 @@
+open Candor_space
+open Candor_surface
+open Candor_oracle
+open Candor_surface_families
+open QCheck2
+
+let p = Point.v
+let v = Vec.v
+
+(* {1 Rows of the catalogue} *)
+
+let meets name s ray expected () =
+  match (Triangles.kind.answer s ray, expected) with
+  | None, None -> ()
+  | Some a, Some t when Exact.within 2. a.t (Exact.q t) -> ()
+  | found, _ ->
+      Alcotest.failf "%s: expected %s, found %s" name
+        (Option.fold ~none:"no hit" ~some:string_of_float expected)
+        (Family.show_answer found)
+
+let half = Made.triangle (p 0. 0. 0.) (p 1. 0. 0.) (p 0. 1. 0.)
+
+let rows =
+  [
+    ( "T4 a triangle 1e-5 wide",
+      Made.triangle (p (-1e-5) (-1e-5) 0.) (p 1e-5 (-1e-5) 0.) (p 0. 1e-5 0.),
+      Ray.v (p 0. 0. 1.) (v 0. 0. (-1.)),
+      Some 1. );
+    ( "T6 a skinny triangle half a degree from the ray",
+      Made.triangle (p 0. 0. 0.) (p 11.2 0. 0.) (p 9.6 1.4 0.),
+      Ray.v (p (-500.) 3. 5.) (v 1. 0. (-0.0091)),
+      None );
+    ( "T7 a needle that pbrt once met",
+      Made.triangle
+        (p (-1113.45459) (-79.049614) (-56.2431908))
+        (p (-1113.45459) (-87.0922699) (-56.2431908))
+        (p (-1113.45459) (-79.2090149) (-56.2431907)),
+      Ray.v
+        (p (-1081.47925) 99.9999542 87.7701111)
+        (v (-32.1072998) (-183.355865) (-144.607635)),
+      None );
+    ( "T11 in its plane, across",
+      half,
+      Ray.v (p (-1.) 0.25 0.) (v 1. 0. 0.),
+      None );
+    ( "T11 in its plane, along an edge",
+      half,
+      Ray.v (p (-1.) 0. 0.) (v 1. 0. 0.),
+      None );
+    ("T11 beside its plane", half, Ray.v (p (-1.) 0.25 1.) (v 1. 0. 0.), None);
+    ("T12 from on it", half, Ray.v (p 0.25 0.25 0.) (v 0. 0. 1.), None);
+    ("T12 from a corner of it", half, Ray.v (p 0. 0. 0.) (v 1. 1. 1.), None);
+    ("T12 from an edge of it", half, Ray.v (p 0.5 0. 0.) (v 0. 1. (-1.)), None);
+    ( "T12 from beneath it",
+      half,
+      Ray.v (p 0.25 0.25 (-5e-324)) (v 0. 0. 1.),
+      Some 5e-324 );
+  ]
+
+let rejected =
+  let reject name a b c =
+    Law.example (name ^ " is rejected") (fun () ->
+        match Triangle.make { a; b; c } with
+        | Error why when why <> "" -> ()
+        | _ -> Alcotest.failf "%s is accepted" name)
+  in
+  [
+    reject "T9 a repeated corner" (p 1. 2. 3.) (p 1. 2. 3.) (p 0. 0. 1.);
+    reject "T9 corners on one line" (p 0. 0. 0.) (p 1. 2. 3.) (p 3. 6. 9.);
+    reject "T9 corners on one far line" (p 1e6 0. 0.) (p 1e6 1. 1.)
+      (p 1e6 7. 7.);
+    reject "a corner that is not a number" (p 0. nan 0.) (p 1. 0. 0.)
+      (p 0. 1. 0.);
+    reject "an infinite corner" (p 0. 0. 0.) (p infinity 0. 0.) (p 0. 1. 0.);
+    reject "a corner beyond 2^400" (p 0. 0. 0.) (p 0x1.8p400 0. 0.) (p 0. 1. 0.);
+    Law.example "a zero normal is rejected" (fun () ->
+        let n = v 0. 0. 1. in
+        match Triangle.make ~normals:(n, Vec.zero, n) half.corners with
+        | Error why when why <> "" -> ()
+        | _ -> Alcotest.fail "it is accepted");
+  ]
+
+(* Areas of a single rounding are seen. *)
+let thinnest () =
+  List.iter
+    (fun (a, b, c) ->
+      Alcotest.(check bool)
+        "made" true
+        (Result.is_ok (Triangle.make { a; b; c })))
+    [
+      (p 0. 0. 0., p 1. 1. 1., p 3. 3. (Float.succ 3.));
+      (p 0. 0. 0., p 0.1 0.1 0.1, p 0.3 0.3 (Float.succ 0.3));
+      ( p 1e9 1e9 0.,
+        p (1e9 +. 1.) (1e9 +. 1.) 0.,
+        p (1e9 +. 2.) (Float.succ (1e9 +. 2.)) 0. );
+      (p 0. 0. 0., p 1. 0. 0., p 0. 5e-324 0.);
+      (p 0x1p-400 0. 0., p 0. 0x1p-400 0., p 0. 0. 0x1p-400);
+      (p 0x1p400 0. 0., p 0. 0x1p400 0., p 0. 0. 0x1p400);
+    ]
+
+(* {1 Meshes} *)
+
+(* A grid over two parameters, wrapped round on both or on one with poles. *)
+type mesh = { corners : Point.t array; faces : (int * int * int) array }
+
+let show_mesh m =
+  String.concat " " (Array.to_list (Array.map Draw.show_point m.corners))
+
+(* A ball of [rings] x [turns] quads with two poles: closed, convex if its
+   corners are on an ellipsoid. *)
+let ball ~rings ~turns at =
+  let corner i j = 2 + (i * turns) + (j mod turns) in
+  let north = at 0. 0. and south = at 1. 0. in
+  let ring i =
+    Array.init turns (fun j ->
+        at
+          (float_of_int (i + 1) /. float_of_int (rings + 1))
+          (float_of_int j /. float_of_int turns))
+  in
+  let corners = Array.concat ([| north; south |] :: List.init rings ring) in
+  let faces = ref [] in
+  for j = 0 to turns - 1 do
+    faces := (0, corner 0 j, corner 0 (j + 1)) :: !faces;
+    faces := (1, corner (rings - 1) (j + 1), corner (rings - 1) j) :: !faces;
+    for i = 0 to rings - 2 do
+      let a = corner i j and b = corner i (j + 1) in
+      let c = corner (i + 1) j and d = corner (i + 1) (j + 1) in
+      faces := (a, c, d) :: (a, d, b) :: !faces
+    done
+  done;
+  { corners; faces = Array.of_list !faces }
+
+let on_ball theta phi =
+  let t = Float.pi *. theta and f = 2. *. Float.pi *. phi in
+  v (sin t *. cos f) (sin t *. sin f) (cos t)
+
+let mesh_of { corners; faces } =
+  Array.map
+    (fun (i, j, k) -> Made.triangle corners.(i) corners.(j) corners.(k))
+    faces
+
+(* How often the ray crosses the mesh, by the side it comes from. *)
+let crossings triangles ray =
+  Array.fold_left
+    (fun (entered, left) s ->
+      match Triangles.kind.answer s ray with
+      | Some { side = Outside; _ } -> (entered + 1, left)
+      | Some { side = Inside; _ } -> (entered, left + 1)
+      | None -> (entered, left))
+    (0, 0) triangles
+
+type aimed = { mesh : mesh; ray : Ray.t }
+
+let show { mesh; ray } = show_mesh mesh ^ "\n" ^ Draw.show_ray ray
+
+(* A corner, a point of an edge or of a face of the mesh. *)
+let aim { corners; faces } =
+  let open Gen in
+  let* f = int_bound (Array.length faces - 1) in
+  let i, j, k = faces.(f) in
+  Triangles.point_of (Triangles.between corners.(i) corners.(j) corners.(k))
+
+let frame =
+  let open Gen in
+  let* size = Draw.wide (-3.) 3.
+  and* far = Draw.either 50 (return 0.) (Draw.wide 0. 6.) in
+  let* d = Draw.unit in
+  return (Draw.move Point.origin d far, size)
+
+(* Rounding the corners of a ball at 1e6 leaves it closed, but not convex. *)
+let convex =
+  let open Gen in
+  let* c, size = frame in
+  let at theta phi = Draw.move c (on_ball theta phi) size in
+  let mesh = ball ~rings:3 ~turns:5 at in
+  let* target = aim mesh and* from = Draw.vec (Draw.uniform (-0.2) 0.2) in
+  let o = Draw.move c from size in
+  return { mesh; ray = Ray.v o (Draw.toward o target) }
+
+let leaves_once { mesh; ray } =
+  let entered, left = crossings (mesh_of mesh) ray in
+  (entered = 0 && left = 1)
+  || Law.fail "entered %d times, left %d times" entered left
+
+let dented =
+  let open Gen in
+  let* c, size = frame in
+  let* dents = array_size (return 17) (Draw.uniform 0.2 3.) in
+  let next = ref 0 in
+  let at theta phi =
+    let k = dents.(!next mod 17) in
+    incr next;
+    Draw.move c (on_ball theta phi) (size *. k)
+  in
+  let mesh = ball ~rings:3 ~turns:5 at in
+  let* target = aim mesh and* inside = bool in
+  let* n = Draw.unit in
+  let o =
+    if inside then Draw.move c n (0.01 *. size) else Draw.move c n (10. *. size)
+  in
+  return ({ mesh; ray = Ray.v o (Draw.toward o target) }, inside)
+
+let parity ({ mesh; ray }, inside) =
+  let entered, left = crossings (mesh_of mesh) ray in
+  (left - entered = if inside then 1 else 0)
+  || Law.fail "entered %d times, left %d times" entered left
+
+(* Whole corners: rays through them meet exact ties everywhere. *)
+let height_field =
+  let open Gen in
+  let n = 6 in
+  let* heights = array_size (return ((n + 1) * (n + 1))) (Draw.small 2) in
+  let corners =
+    Array.init
+      ((n + 1) * (n + 1))
+      (fun i ->
+        p
+          (float_of_int (i mod (n + 1)))
+          (float_of_int (i / (n + 1)))
+          heights.(i))
+  in
+  let faces =
+    Array.init
+      (2 * n * n)
+      (fun f ->
+        let cell = f / 2 in
+        let a = (cell / n * (n + 1)) + (cell mod n) in
+        let b = a + 1 and c = a + n + 1 in
+        if f land 1 = 0 then (a, b, c + 1) else (a, c + 1, c))
+  in
+  let inside =
+    map (fun k -> 1. +. (float_of_int k /. 2.)) (int_bound ((2 * n) - 4))
+  in
+  let* x = inside and* y = inside and* k = int_range (-20) 20 in
+  let* down = Draw.sign in
+  let by = Float.ldexp 1. k in
+  let scale (q : Point.t) = p (by *. q.x) (by *. q.y) (by *. q.z) in
+  return
+    {
+      mesh = { corners = Array.map scale corners; faces };
+      ray = Ray.v (scale (p x y (-9. *. down))) (v 0. 0. down);
+    }
+
+let once { mesh; ray } =
+  let entered, left = crossings (mesh_of mesh) ray in
+  entered + left = 1 || Law.fail "met %d times" (entered + left)
+
+let seam () =
+  (* T8: a quad divided on y = x, and a ray in the dividing plane. *)
+  let a = p (-5.) (-5.) 0. and b = p 5. (-5.) 0. and c = p 5. 5. 0. in
+  let e = p (-5.) 5. 0. in
+  let ray = Ray.v (p 0. 0. 10.) (v 0.30458447 0.30458447 (-0.9024725)) in
+  let quad = [| Made.triangle a b c; Made.triangle a c e |] in
+  Alcotest.(check (pair int int)) "met once" (1, 0) (crossings quad ray)
+
+(* {1 What a hit says} *)
+
+let found { Family.shape; ray } f =
+  match Surface.nearest (Surface.triangle shape ()) ray with
+  | None -> true
+  | Some h -> f shape ray h
+
+(* The point is in the plane within its error, and within the bounds. *)
+let in_plane (s : Triangle.t) _ (h : unit Hit.t) =
+  let n = Exact_triangle.normal s in
+  let abs (a : Exact.vec) = Exact.v (Q.abs a.x) (Q.abs a.y) (Q.abs a.z) in
+  Q.leq
+    (Q.abs (Exact_triangle.value s (Exact.point h.point)))
+    (Exact.dot (abs n) (Exact.vec h.local.error))
+  && Bounds.mem h.point (Bounds.widen 0. (Triangle.bounds s))
+
+let right_normal (s : Triangle.t) _ (h : unit Hit.t) =
+  let n = Exact_triangle.normal s in
+  let found = Exact.vec (h.local.normal :> Vec.t) in
+  let off = Exact.cross n found in
+  Q.sign (Exact.dot n found) > 0
+  && Q.leq (Exact.dot off off) Exact.(power (-60) * dot n n)
+
+let faces_ray (s : Triangle.t) (ray : Ray.t) (h : unit Hit.t) =
+  let n = Exact_triangle.normal s in
+  let across = Q.sign (Exact.dot n (Exact.vec ray.direction)) in
+  across = match h.side with Outside -> -1 | Inside -> 1
+
+let barycentric (s : Triangle.t) _ (h : unit Hit.t) =
+  let { Triangle.a; b; c } = s.corners in
+  match Lazy.force h.uv with
+  | None -> false
+  | Some (u, v) ->
+      let w = 1. -. u -. v in
+      let mix f = (w *. f a) +. (u *. f b) +. (v *. f c) in
+      let close f x =
+        Float.abs (mix f -. x)
+        <= 0x1p-49 *. (Float.abs (f a) +. Float.abs (f b) +. Float.abs (f c))
+      in
+      u >= 0. && v >= 0. && u <= 1. && v <= 1.
+      && close (fun (q : Point.t) -> q.x) h.point.x
+      && close (fun q -> q.y) h.point.y
+      && close (fun q -> q.z) h.point.z
+
+(* The weights, from the exact point of the line. *)
+let exact_weights (s : Triangle.t) (ray : Ray.t) (h : unit Hit.t) =
+  let a, b, c = Exact_triangle.corners s in
+  let { Crossing.origin = o; direction = d } = Crossing.line ray in
+  let open Exact in
+  let a = sub a o and b = sub b o and c = sub c o in
+  let ea = dot d (cross b c) and eb = dot d (cross c a) in
+  let ec = dot d (cross a b) in
+  let sum = ea + eb + ec in
+  let far = size a + size b + size c in
+  let thick = largest (sub b a) + largest (sub c a) in
+  (* Off by the rounding of the way there, seen from the triangle. *)
+  let bound = power (-33) * far / thick in
+  match Lazy.force h.uv with
+  | None -> false
+  | Some (u, v) ->
+      Q.leq (Q.abs (q u - (eb / sum))) bound
+      && Q.leq (Q.abs (q v - (ec / sum))) bound
+
+let own_uv () =
+  let uv =
+    { Triangle.ua = 10.; va = 20.; ub = 30.; vb = 40.; uc = 50.; vc = 60. }
+  in
+  match Triangle.make ~uv half.corners with
+  | Error why -> Alcotest.fail why
+  | Ok s -> (
+      let ray = Ray.v (p 0.25 0.5 1.) (v 0. 0. (-1.)) in
+      match Surface.nearest (Surface.triangle s ()) ray with
+      | None -> Alcotest.fail "missed"
+      | Some h ->
+          Alcotest.(check (option (pair (float 0.) (float 0.))))
+            "uv"
+            (Some (35., 45.))
+            (Lazy.force h.uv))
+
+let smooth () =
+  let n x = v x 0. 1. in
+  match Triangle.make ~normals:(n 0., n 1., n (-1.)) half.corners with
+  | Error why -> Alcotest.fail why
+  | Ok s ->
+      let check z direction =
+        let ray = Ray.v (p 0.5 0.25 z) direction in
+        match Surface.nearest (Surface.triangle s ()) ray with
+        | None -> Alcotest.fail "missed"
+        | Some h ->
+            let n = (h.shading_normal :> Vec.t) in
+            Alcotest.(check bool)
+              "unit" true
+              (Float.abs (Vec.norm n -. 1.) < 1e-15);
+            Alcotest.(check bool) "leans to b" true (n.x *. n.z > 0.);
+            Alcotest.(check bool)
+              "on the side the ray came from" true
+              (Vec.dot n direction < 0.)
+      in
+      check 1. (v 0. 0. (-1.));
+      check (-1.) (v 0. 0. 1.)
+
+let kinds = Triangles.[ ordinary; t5; needles; far_away ]
+
+let each name f =
+  List.map
+    (fun { Family.name = family; cases } ->
+      Law.law ~count:4000
+        ~print:(Family.show Triangles.kind)
+        (name ^ ": " ^ family)
+        cases
+        (fun c -> found c f))
+    kinds
+
+let suite =
+  ( "triangle",
+    List.concat
+      [
+        List.map (Family.agrees Triangles.kind ~ulps:4.) Triangles.all;
+        List.map
+          (fun (name, s, ray, expected) ->
+            Law.example name (meets name s ray expected))
+          rows;
+        [
+          Law.example "T8 a quad is met once on its diagonal" seam;
+          Law.law ~count:2000 ~print:show
+            "T1 T2 a closed convex mesh is left exactly once from within, \
+             through corners and edges too"
+            convex leaves_once;
+          Law.law ~count:2000
+            ~print:(fun (a, _) -> show a)
+            "a closed mesh is left once more than entered from inside, as \
+             often from outside"
+            dented parity;
+          Law.law ~count:2000 ~print:show
+            "T3 a height field of whole corners is met exactly once"
+            height_field once;
+          Law.example "the thinnest triangles have area" thinnest;
+          Law.example "uv are interpolated" own_uv;
+          Law.example "normals are interpolated, on the side of the ray" smooth;
+        ];
+        each "points are in the plane within their error" in_plane;
+        each "the normal is right within 2^-30" right_normal;
+        each "the side is where the ray comes from" faces_ray;
+        each "uv are the weights of the point" barycentric;
+        each "the weights are those of the line" exact_weights;
+        rejected;
+      ] )
