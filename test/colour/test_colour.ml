@@ -1,0 +1,1 @@
+let () = Alcotest.run "colour" [ Test_rgb.suite; Test_display.suite ]

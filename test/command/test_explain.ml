@@ -1,0 +1,96 @@
+open Candor
+
+let golden =
+  {|ambient       on   a constant stands in for light that bounces
+      ambient light  [s.scene:6:3]
+direct light  on   lights shine straight on surfaces
+      point light  [s.scene:8:3]
+      directional light  [s.scene:9:3]
+shadows       on   surfaces between a light and a point take its light away
+      point light  [s.scene:8:3]
+      not for the light with (shadows no)  [s.scene:9:3]
+mirror        on   surfaces reflect what is in front of them
+      glazed surface  [s.scene:10:3]
+      mirror surface  [s.scene:11:3]
+depth         8    reflections along one path at most: the scene's limit
+|}
+
+let bare =
+  "(scene (camera (orthographic (eye 0 0 5) (look-at 0 0 0) (height 2)))\n\
+  \ (sphere (radius 1) (center 0 0 0)))\n"
+
+let bare_golden =
+  {|ambient       off  a constant stands in for light that bounces; nothing in the scene asks for it
+direct light  off  lights shine straight on surfaces; nothing in the scene asks for it
+shadows       off  surfaces between a light and a point take its light away; nothing in the scene asks for it
+mirror        off  surfaces reflect what is in front of them; nothing in the scene asks for it
+depth         0    reflections along one path at most: nothing reflects
+|}
+
+let texts () =
+  check_text "everything on" golden (fine [ "explain"; "s.scene" ]).out;
+  write "t.scene" bare;
+  check_text "everything off" bare_golden (fine [ "explain"; "t.scene" ]).out;
+  let r = fine [ "explain"; "t.scene"; "--all-effects" ] in
+  mentions r.out
+    "mirror        on   surfaces reflect what is in front of them; nothing \
+     asks for it (--all-effects)";
+  mentions (fine [ "explain"; "s.scene"; "--depth"; "3" ]).out
+    "depth         3 "
+
+let many () =
+  let ball i =
+    Printf.sprintf
+      "(sphere (center %d 0 0) (radius 1) (material (mirror (color .%d))))" i i
+  in
+  write "t.scene"
+    ("(scene (camera (orthographic (eye 0 0 5) (look-at 0 0 0) (height 2)))\n"
+    ^ String.concat "\n" (List.init 9 (fun i -> ball (i + 1)))
+    ^ ")");
+  mentions (fine [ "explain"; "t.scene" ]).out
+    "mirror surface  [t.scene:7:1]\n      and 3 more\n"
+
+let json () =
+  let j = Json_reader.parse (fine [ "explain"; "s.scene"; "--json" ]).out in
+  let get = Json_reader.get in
+  Alcotest.(check bool) "depth" true (get [ "depth" ] j = Number "8");
+  Alcotest.(check bool)
+    "mirror is on" true
+    (get [ "effects"; "mirror"; "on" ] j = Bool true);
+  Alcotest.(check bool)
+    "why" true
+    (get [ "effects"; "mirror"; "why" ] j
+    = List
+        [
+          Object
+            [
+              ("what", String "glazed surface");
+              ("file", String "s.scene");
+              ("line", Number "10");
+              ("column", Number "3");
+            ];
+          Object
+            [
+              ("what", String "mirror surface");
+              ("file", String "s.scene");
+              ("line", Number "11");
+              ("column", Number "3");
+            ];
+        ]);
+  write "t.scene" bare;
+  let j = Json_reader.parse (fine [ "explain"; "t.scene"; "--json" ]).out in
+  List.iter
+    (fun e ->
+      Alcotest.(check bool)
+        (e ^ " is off") true
+        (get [ "effects"; e; "on" ] j = Bool false
+        && get [ "effects"; e; "why" ] j = List []))
+    [ "ambient"; "direct light"; "shadows"; "mirror" ]
+
+let suite =
+  ( "explain",
+    [
+      with_scene "golden texts: all on, all off, forced" texts;
+      example "long lists of reasons are cut" many;
+      with_scene "the same as JSON" json;
+    ] )

@@ -1,0 +1,33 @@
+open Candor_effect
+open Candor_oracle
+
+let distinct names =
+  List.length (List.sort_uniq String.compare names) = List.length names
+
+let names () =
+  Alcotest.(check (list string))
+    "names, in the order of the sum"
+    [ "ambient"; "direct light"; "shadows"; "mirror" ]
+    (List.map Effect.name Effect.all);
+  Alcotest.(check bool)
+    "meanings differ" true
+    (distinct (List.map Effect.meaning Effect.all));
+  List.iter
+    (fun e ->
+      Alcotest.(check bool)
+        "one line" false
+        (String.contains (Effect.meaning e) '\n'))
+    Effect.all
+
+let rays () =
+  let counters = List.filter_map Effect.rays Effect.all in
+  Alcotest.(check (list string))
+    "of shadows and mirror" [ "shadow"; "mirror" ]
+    (List.map Tally.name counters)
+
+let suite =
+  ( "effects",
+    [
+      Law.example "every effect has a name and a line of its own" names;
+      Law.example "the rays that only an effect traces have a counter" rays;
+    ] )

@@ -1,0 +1,57 @@
+open Candor_effect
+open Candor_oracle
+
+let counts t = List.map (Tally.get t) Tally.counters
+
+let of_list cs =
+  let t = Tally.make () in
+  List.iter (Tally.count t) cs;
+  t
+
+let some = QCheck2.Gen.(list_size (int_bound 20) (Draw.pick Tally.counters))
+let show cs = String.concat " " (List.map Tally.show_counter cs)
+
+let law name f =
+  Law.law ~count:500
+    ~print:(fun (a, b) -> show a ^ " / " ^ show b)
+    name
+    (QCheck2.Gen.pair some some)
+    f
+
+let names () =
+  let names = List.map Tally.name Tally.counters in
+  Alcotest.(check int)
+    "all different" (List.length names)
+    (List.length (List.sort_uniq String.compare names));
+  Alcotest.(check (list string))
+    "rays"
+    [ "camera"; "shadow"; "mirror" ]
+    (List.map Tally.name Tally.rays)
+
+let watching () =
+  let seen = ref 0 in
+  let t = Tally.make ~watch:(fun _ -> incr seen) () in
+  Alcotest.(check bool) "watched" true (Tally.watched t);
+  Tally.show t Met_nothing;
+  Alcotest.(check int) "seen once" 1 !seen;
+  let t = Tally.make () in
+  Alcotest.(check bool) "not watched" false (Tally.watched t);
+  Tally.show t Met_nothing
+
+let suite =
+  ( "tallies",
+    [
+      law "get says how often something was counted" (fun (a, _) ->
+          counts (of_list a)
+          = List.map
+              (fun c -> List.length (List.filter (Tally.equal_counter c) a))
+              Tally.counters);
+      law "the sum of tallies counts all of them" (fun (a, b) ->
+          counts (Tally.sum [ of_list a; of_list b ]) = counts (of_list (a @ b)));
+      Law.example "the sum of nothing is zero" (fun () ->
+          Alcotest.(check bool)
+            "zero" true
+            (List.for_all (( = ) 0) (counts (Tally.sum []))));
+      Law.example "counters have different names; three count rays" names;
+      Law.example "a watcher sees every event" watching;
+    ] )

@@ -1,0 +1,162 @@
+open Candor_colour
+open Candor_effect
+open Candor_image
+open Candor_render
+open Candor_oracle
+open Candor_scene_made
+
+let scene ?(spp = 1) ?(more = []) () =
+  Written.scene
+    ([
+       Written.size 20 10;
+       Written.flat_camera;
+       Printf.sprintf "(render (spp %d) (depth 2))" spp;
+       "(background (rgb .5 2 0))";
+       "(light (point (at 0 0 4) (intensity 1)))";
+       "(box (min -.45 -.45 0) (max .45 .45 0))";
+     ]
+    @ more)
+
+let report s = Test_picture.(get (report ~domains:1 s))
+
+(* Timings and allocation depend on the machine. *)
+let masked text =
+  let mask words =
+    let rec go = function
+      | "spp" :: rest -> "spp" :: go rest
+      | _ :: "s" :: rest -> "T" :: "s" :: go rest
+      | _ :: "words/ray" :: rest -> "N" :: "words/ray" :: go rest
+      | w :: rest -> w :: go rest
+      | [] -> []
+    in
+    go words
+  in
+  match String.split_on_char '\n' text with
+  | first :: rest ->
+      let words = List.filter (( <> ) "") (String.split_on_char ' ' first) in
+      String.concat "\n" (String.concat " " (mask words) :: rest)
+  | [] -> ""
+
+let text ?(name = "out.ppm") ?(format = Picture_file.Ppm) s =
+  masked (Ledger.text ~name ~format s (report s))
+
+let check name expected actual =
+  Alcotest.(check string) name (String.concat "\n" expected) actual
+
+let golden () =
+  check "one sample"
+    [
+      "out.ppm 20x10 1 spp T s 216 rays N words/ray";
+      "  sampling   unknown: one sample a pixel says nothing of its error";
+      "  cut-off    0: no path was cut";
+      "  numerics   0 non-finite samples";
+      "  output     184 pixels clamped at 255; 8-bit rounding 0.08/255";
+    ]
+    (text (scene ()));
+  check "linear"
+    [
+      "out.pfm 20x10 2 spp T s 442 rays N words/ray";
+      "  sampling   unknown: 2 stratified samples do not tell their own error";
+      "  cut-off    0: no path was cut";
+      "  numerics   0 non-finite samples";
+      "  output     linear radiance in 32-bit floats: nothing is clamped";
+    ]
+    (text ~name:"out.pfm" ~format:Pfm (scene ~spp:2 ()))
+
+let line n text = List.nth (String.split_on_char '\n' text) n
+
+let cuts () =
+  let mirrors w =
+    Written.scene
+      [
+        Written.size 2 1;
+        "(camera (orthographic (eye 0 0 1) (look-at 0 0 0) (height .1)))";
+        Printf.sprintf "(render (spp 1) (depth 4) (cutoff %g))" w;
+        "(box (min -1 -1 0) (max 1 1 0) (material (mirror (color .5))))";
+        "(box (min -1 -1 2) (max 1 1 2) (material (mirror (color .5))))";
+      ]
+  in
+  Alcotest.(check string)
+    "by depth"
+    "  cut-off    unbounded: 2 paths ended at depth 4; what they would have \
+     seen has no proven bound"
+    (line 2 (text (mirrors 0.)));
+  Alcotest.(check string)
+    "by weight"
+    "  cut-off    unbounded: 2 paths fell below weight 0.2; what they would \
+     have seen has no proven bound"
+    (line 2 (text (mirrors 0.2)))
+
+let non_finite () =
+  let s =
+    scene
+      ~more:
+        (List.init 8 (fun _ ->
+             "(light (directional (direction 0 0 -1) (irradiance 1.7e308)))"))
+      ()
+  in
+  let numerics = line 3 (text s) in
+  Alcotest.(check string)
+    "counted, and where"
+    "  numerics   16 non-finite samples; the first in pixel 8 3: see candor \
+     trace SCENE 8 3"
+    numerics
+
+let output () =
+  let p =
+    Picture.init ~width:2 ~height:1 (fun x _ ->
+        if x = 0 then Rgb.v 1.5 0.2 0. else Rgb.v 1. 0.5 0.)
+  in
+  let { Ledger.clamped; rounding } = Ledger.output p in
+  Alcotest.(check int) "clamped" 1 clamped;
+  let error x =
+    let e = 255. *. (x ** (1. /. 2.2)) in
+    (e -. Float.round e) ** 2.
+  in
+  Alcotest.(check (float 1e-12))
+    "rounding"
+    (sqrt ((error 0.2 +. error 0.5) /. 6.))
+    rounding
+
+let json () =
+  let s = scene ~spp:2 () in
+  let r = report s in
+  let j =
+    Json_reader.parse (Json.to_string (Ledger.json s (Plan.of_scene s) r))
+  in
+  let check path expected =
+    Alcotest.(check bool)
+      (String.concat "." path) true
+      (Json_reader.get path j = expected)
+  in
+  let total =
+    List.fold_left (fun n c -> n + Tally.get r.tally c) 0 Tally.rays
+  in
+  check [ "rays"; "total" ] (Number (string_of_int total));
+  check [ "rays"; "camera" ] (Number "400");
+  check [ "rays"; "shadow" ]
+    (Number (string_of_int (Tally.get r.tally Shadow_rays)));
+  check [ "rays"; "mirror" ] (Number "0");
+  check [ "effects"; "mirror" ] (Bool false);
+  check [ "effects"; "shadows" ] (Bool true);
+  check [ "domains" ] (Number "1");
+  check [ "image"; "width" ] (Number "20");
+  check [ "image"; "spp" ] (Number "2");
+  check [ "ledger"; "numerics"; "non_finite" ] (Number "0");
+  List.iter
+    (fun path ->
+      match Json_reader.get path j with
+      | Number _ -> ()
+      | _ -> Alcotest.fail "a number is expected")
+    [ [ "seconds" ]; [ "words_per_ray" ]; [ "ledger"; "output"; "rounding" ] ]
+
+let suite =
+  ( "ledgers",
+    [
+      Law.example "golden texts, timings masked" golden;
+      Law.example "paths that were cut have no bound" cuts;
+      Law.example "samples that are not finite are counted and placed"
+        non_finite;
+      Law.example "what an 8-bit file loses" output;
+      Law.example "the same as JSON" json;
+    ] )

@@ -1,0 +1,181 @@
+open Candor_sample
+open Candor_oracle
+open QCheck2
+
+let floor_of n u = int_of_float (Float.floor (u *. float_of_int n))
+
+let positions ?(seed = 0) ~spp x y =
+  Array.init spp (Pattern.position (Pattern.make ~seed ~spp) ~x ~y)
+
+let gen =
+  let open Gen in
+  let+ spp = oneof [ int_range 2 40; Draw.pick [ 64; 100; 101; 256; 1000 ] ]
+  and+ x = int_bound 5000
+  and+ y = int_bound 5000
+  and+ seed = int in
+  (spp, x, y, seed)
+
+let show (spp, x, y, seed) =
+  Printf.sprintf "%d spp, pixel %d %d, seed %d" spp x y seed
+
+let law name f = Law.law ~count:1000 ~print:show name gen f
+let all (spp, x, y, seed) = positions ~seed ~spp x y
+let once n cells = List.sort Int.compare cells = List.init n Fun.id
+
+let in_square case =
+  Array.for_all
+    (fun { Pattern.u; v } -> 0. <= u && u < 1. && 0. <= v && v < 1.)
+    (all case)
+
+let rows ((spp, _, _, _) as case) =
+  once spp
+    (List.map (fun p -> floor_of spp p.Pattern.v) (Array.to_list (all case)))
+
+let columns_of spp = int_of_float (sqrt (float_of_int spp))
+
+(* Of each run of √spp rows, every column holds one; of the last run, which may
+   be shorter, no column holds two. *)
+let cells ((spp, _, _, _) as case) =
+  let columns = columns_of spp in
+  let place { Pattern.u; v } = (floor_of spp v / columns, floor_of columns u) in
+  let places = List.map place (Array.to_list (all case)) in
+  List.length (List.sort_uniq compare places) = spp
+
+(* As many steps across as there are cells in the grid: the samples share none. *)
+let steps_across ((spp, _, _, _) as case) =
+  let columns = columns_of spp in
+  let rows = (spp + columns - 1) / columns in
+  let steps =
+    List.map
+      (fun p -> floor_of (columns * rows) p.Pattern.u)
+      (Array.to_list (all case))
+  in
+  List.length (List.sort_uniq Int.compare steps) = spp
+
+let any_order ((spp, x, y, seed) as case) =
+  let forwards = all case in
+  let pattern = Pattern.make ~seed ~spp in
+  let backwards =
+    List.init spp (fun i -> Pattern.position pattern ~x ~y (spp - 1 - i))
+  in
+  List.rev backwards = Array.to_list forwards
+
+let centre () =
+  List.iter
+    (fun (x, y, seed) ->
+      let { Pattern.u; v } = (positions ~seed ~spp:1 x y).(0) in
+      Alcotest.(check (pair (float 0.) (float 0.)))
+        "one sample" (0.5, 0.5) (u, v))
+    [ (0, 0, 0); (17, 4, 99); (639, 479, -5) ]
+
+let uniform () =
+  let pixels = 1 lsl 13 and bins = 48 in
+  List.iter
+    (fun spp ->
+      for s = 0 to spp - 1 do
+        let pattern = Pattern.make ~seed:5 ~spp in
+        let position i =
+          Pattern.position pattern ~x:(i land 127) ~y:(i lsr 7) s
+        in
+        let even what n bin =
+          Chi_square.even
+            (Printf.sprintf "%s of sample %d of %d" what s spp)
+            (Chi_square.count n pixels (fun i -> bin (position i)))
+        in
+        even "u" bins (fun p -> floor_of bins p.u);
+        even "v" bins (fun p -> floor_of bins p.v);
+        even "the place" 64 (fun p -> (8 * floor_of 8 p.u) + floor_of 8 p.v)
+      done)
+    [ 2; 3; 4; 5; 7; 9; 16; 17 ]
+
+let pixels_differ () =
+  let pattern = Pattern.make ~seed:0 ~spp:16 in
+  let pixels = 1 lsl 16 in
+  let bin i =
+    let at x = (Pattern.position pattern ~x ~y:(i lsr 8) 3).u in
+    let x = i land 255 in
+    (16 * floor_of 16 (at x)) + floor_of 16 (at (x + 1))
+  in
+  Chi_square.(even "u of one pixel and the next" (count 256 pixels bin))
+
+(* Within its stratum a sample is anywhere, whatever the others do. *)
+let jitters () =
+  let spp = 4 and pixels = 1 lsl 16 in
+  let pattern = Pattern.make ~seed:0 ~spp in
+  let within x = floor_of 16 (Float.rem (x *. float_of_int spp) 1.) in
+  let even name f g =
+    let bin i =
+      let at = Pattern.position pattern ~x:(i land 255) ~y:(i lsr 8) in
+      (16 * f at) + g at
+    in
+    Chi_square.(even name (count 256 pixels bin))
+  in
+  let u s at = within (at s).Pattern.u and v s at = within (at s).Pattern.v in
+  even "u of two samples" (u 0) (u 1);
+  even "v of two samples" (v 1) (v 3);
+  even "u and v of one" (u 2) (v 2)
+
+(* The distribution function of the tent is what [tent] is the inverse of. *)
+let tent_area x =
+  if x < 0. then ((1. +. x) ** 2.) /. 2. else 1. -. (((1. -. x) ** 2.) /. 2.)
+
+let unit = Gen.oneof [ Draw.uniform 0. 1.; Draw.wide (-18.) (-1.) ]
+let show_u = Printf.sprintf "%h"
+let unit_law name f = Law.law ~print:show_u name unit (fun u -> u >= 1. || f u)
+
+let in_tent u =
+  let x = Pattern.tent u in
+  -1. <= x && x < 1.
+
+let inverts u = Float.abs (tent_area (Pattern.tent u) -. u) <= 0x1p-52
+
+(* 1 - u is exact from 1/2 on. *)
+let odd u = u < 0.5 || Pattern.tent (1. -. u) = -.Pattern.tent u
+
+let tent_points () =
+  let check x u = Alcotest.(check (float 0.)) (show_u u) x (Pattern.tent u) in
+  check (-1.) 0.;
+  check (-0.5) 0.125;
+  check 0. 0.5;
+  check 0.5 0.875
+
+let tent_moments () =
+  let n = 1 lsl 16 in
+  let mean f =
+    let sum = ref 0. in
+    for i = 0 to n - 1 do
+      sum :=
+        !sum +. f (Pattern.tent ((float_of_int i +. 0.5) /. float_of_int n))
+    done;
+    !sum /. float_of_int n
+  in
+  Alcotest.(check (float 1e-12)) "its mean" 0. (mean Fun.id);
+  Alcotest.(check (float 1e-6))
+    "its variance" (1. /. 6.)
+    (mean (fun x -> x *. x))
+
+let tent_rises =
+  Law.law
+    ~print:(fun (u, v) -> show_u u ^ " " ^ show_u v)
+    "tent is monotone" (Gen.pair unit unit)
+    (fun (u, v) -> u > v || Pattern.tent u <= Pattern.tent v)
+
+let suite =
+  ( "patterns",
+    [
+      Law.example "one sample is at the exact centre" centre;
+      law "samples are in the unit square" in_square;
+      law "each of the spp rows holds exactly one sample" rows;
+      law "each cell of the grid holds one sample" cells;
+      law "samples are stratified across as well" steps_across;
+      law "positions do not depend on the order of asking" any_order;
+      Law.example "every sample by itself is uniform over pixels" uniform;
+      Law.example "neighbouring pixels have independent patterns" pixels_differ;
+      Law.example "samples are anywhere in their strata, independently" jitters;
+      unit_law "tent is within [-1;1[" in_tent;
+      unit_law "tent is the inverse of the area under 1 - |x|" inverts;
+      unit_law "tent is odd about a half, to the bit" odd;
+      tent_rises;
+      Law.example "tent takes quarters where it should" tent_points;
+      Law.example "tent has mean 0 and variance 1/6" tent_moments;
+    ] )

@@ -1,0 +1,1 @@
+let () = Alcotest.run "sample" [ Test_key.suite; Test_pattern.suite ]

@@ -1,0 +1,141 @@
+open Candor_space
+open Candor_colour
+open Candor_scene
+open Candor_effect
+open Candor_trace
+open Candor_image
+open Candor_oracle
+open Candor_scene_made
+
+let scene ?(forms = []) settings =
+  Written.scene
+    ([
+       Written.size 8 6;
+       "(camera (orthographic (eye 0 0 5) (look-at 0 0 0) (window 0 8 -6 0)))";
+       settings;
+     ]
+    @ forms)
+
+(* The camera's window makes (x, -y) of a ray the place in the picture. *)
+let place pixel ~x ~y ~sample =
+  let { Ray.origin; _ } = Pixel.ray pixel ~x ~y ~sample in
+  (origin.x, -.origin.y)
+
+let centre () =
+  let p = Pixel.compile (scene Written.plain) in
+  let at x y = place p ~x ~y ~sample:0 in
+  let pair = Alcotest.(pair (float 0.) (float 0.)) in
+  Alcotest.check pair "pixel 0 0" (0.5, 0.5) (at 0 0);
+  Alcotest.check pair "pixel 7 5" (7.5, 5.5) (at 7 5)
+
+let within name settings low high =
+  let p = Pixel.compile (scene settings) in
+  let reached = ref (infinity, neg_infinity) in
+  for i = 0 to 47 do
+    let x = i mod 8 and y = i / 8 in
+    for sample = 0 to 63 do
+      let u, v = place p ~x ~y ~sample in
+      let u = u -. float_of_int x and v = v -. float_of_int y in
+      if Float.min u v < low || Float.max u v > high then
+        Alcotest.failf "%s: sample %d of pixel %d %d is at %g %g" name sample x
+          y u v;
+      let l, h = !reached in
+      reached := (Float.min l u, Float.max h u)
+    done
+  done;
+  let l, h = !reached in
+  Alcotest.(check bool)
+    (name ^ " reaches its ends")
+    true
+    (l < low +. 0.1 && h > high -. 0.1)
+
+let filters () =
+  within "box" "(render (spp 64))" 0. 1.;
+  within "tent" "(render (spp 64) (filter tent))" (-0.5) 1.5
+
+let seeds () =
+  let rays seed =
+    List.init 8 (fun sample ->
+        place
+          (Pixel.compile
+             (scene (Printf.sprintf "(render (spp 8) (seed %d))" seed)))
+          ~x:3 ~y:2 ~sample)
+  in
+  Alcotest.(check bool) "the same again" true (rays 1 = rays 1);
+  Alcotest.(check bool) "another seed" true (rays 1 <> rays 2)
+
+let show = Drawn.show
+
+(* Row by row from the end, and every sample by itself. *)
+let any_order (s : Scene.t) =
+  let pixel = Pixel.compile s and tally = Tally.make () in
+  let n = s.width * s.height in
+  let backwards =
+    List.init n (fun i ->
+        let i = n - 1 - i in
+        Pixel.radiance pixel tally ~x:(i mod s.width) ~y:(i / s.width))
+  in
+  let picture = (Shot.v s).picture in
+  List.for_all2
+    (fun c i ->
+      Rgb.equal c (Picture.pixel picture (i mod s.width) (i / s.width)))
+    (List.rev backwards) (List.init n Fun.id)
+
+let mean (s : Scene.t) =
+  let pixel = Pixel.compile s and tally = Tally.make () in
+  let x = s.width / 2 and y = s.height / 2 in
+  let n = float_of_int s.settings.spp in
+  let samples =
+    List.init s.settings.spp (fun sample ->
+        Pixel.sample pixel tally ~x ~y ~sample)
+  in
+  let total = List.fold_left Rgb.add Rgb.black samples in
+  Rgb.equal
+    (Pixel.radiance pixel tally ~x ~y)
+    (Rgb.v (total.r /. n) (total.g /. n) (total.b /. n))
+
+let parts () =
+  let s = scene ~forms:[ "(sphere (center 0 0 0) (radius 1))" ] Written.plain in
+  let p = Pixel.compile s in
+  Alcotest.(check bool)
+    "the plan" true
+    (Plan.equal (Pixel.plan p) (Plan.of_scene s));
+  Alcotest.(check bool)
+    "another plan" true
+    (Plan.equal (Pixel.plan (Pixel.compile ~plan:(Plan.all s) s)) (Plan.all s));
+  let hit =
+    Candor_surface.Surface.nearest (Pixel.surface p)
+      (Ray.v (Point.v 0. 0. 5.) (Vec.v 0. 0. (-1.)))
+  in
+  Alcotest.(check bool) "the surface" true (Option.is_some hit)
+
+(* A light as bright as doubles go overflows in the sum of two. *)
+let non_finite () =
+  let light = "(light (directional (direction 0 0 -1) (irradiance 1.7e308)))" in
+  let s =
+    scene
+      ~forms:
+        (List.init 8 (fun _ -> light)
+        @ [ "(box (min -9 -9 0) (max 9 9 0) (material (matte (color 1))))" ])
+      Written.plain
+  in
+  let pixel = Pixel.compile s and tally = Tally.make () in
+  let c = Pixel.radiance pixel tally ~x:2 ~y:2 in
+  Alcotest.(check (float 0.)) "nothing hides it" infinity c.r;
+  Alcotest.(check int) "counted" 1 (Tally.get tally Non_finite)
+
+let suite =
+  ( "pixels",
+    [
+      Law.example "one sample goes through the pixel's centre" centre;
+      Law.example
+        "box samples fill the pixel, tent samples one more on each side" filters;
+      Law.example "the seed chooses the samples" seeds;
+      Law.law ~count:100 ~print:show
+        "pixels do not depend on the order of asking" (Drawn.scene Round)
+        any_order;
+      Law.law ~count:100 ~print:show "a pixel is the mean of its samples"
+        (Drawn.scene Round) mean;
+      Law.example "a compiled scene tells its plan and surface" parts;
+      Law.example "radiance that is not finite is counted and kept" non_finite;
+    ] )

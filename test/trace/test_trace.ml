@@ -1,0 +1,9 @@
+let () =
+  Alcotest.run "trace"
+    [
+      Test_pixel.suite;
+      Test_radiance.suite;
+      Test_pictures.suite;
+      Test_laws.suite;
+      Test_scenes.suite;
+    ]
