@@ -21,3 +21,11 @@ let[@inline] difference_of_products a b c d =
   let e = Float.fma (-.c) d w in
   let f = Float.fma a b (-.w) in
   f +. e
+
+let[@inline] dot a b c x y z = (a *. x) +. (b *. y) +. (c *. z)
+
+let[@inline] dot_error a b c x y z s =
+  let p = a *. x and q = b *. y and r = c *. z in
+  let pq = p +. q in
+  sum_error p q pq +. sum_error pq r s +. product_error a x p
+  +. product_error b y q +. product_error c z r

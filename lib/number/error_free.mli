@@ -28,3 +28,16 @@ val sum_error : float -> float -> float -> float
 
 val product_error : float -> float -> float -> float
 (** [product_error a b p] is the error a·b − p of the product [p = a *. b]. *)
+
+(** {1 Scalar products} *)
+
+val dot : float -> float -> float -> float -> float -> float -> float
+(** [dot a b c x y z] is (a·x + b·y) + c·z in plain doubles. *)
+
+val dot_error :
+  float -> float -> float -> float -> float -> float -> float -> float
+(** [dot_error a b c x y z s] is what [s = dot a b c x y z] is off by, so that
+    the two together are the scalar product as if computed in twice the
+    precision: within 2^-104 of the sum of the absolute products. After T.
+    Ogita, S. M. Rump, S. Oishi, {e Accurate Sum and Dot Product}, SIAM J. Sci.
+    Comput. 26, 2005. *)

@@ -1,3 +1,5 @@
+open Candor_number
+
 type t = {
   xx : float;
   xy : float;
@@ -101,6 +103,14 @@ let is_finite m =
   && Vec.is_finite (column_z m)
   && Vec.is_finite (Vec.v m.xt m.yt m.zt)
 
+(* Whether three columns are in one plane, exactly. *)
+let singular a b c =
+  let exact (v : Vec.t) =
+    let open Expansion in
+    { x = of_float v.x; y = of_float v.y; z = of_float v.z }
+  in
+  Expansion.(sign (dot (exact a) (cross (exact b) (exact c)))) = 0
+
 (* The inverse of rows is the cofactors over the determinant. Columns are first
    brought near 1 by powers of two, so that tiny and huge scales neither
    underflow nor overflow. *)
@@ -114,7 +124,7 @@ let inverse m =
   let a = shift ea a and b = shift eb b and c = shift ec c in
   let bc = Vec.cross b c and ca = Vec.cross c a and ab = Vec.cross a b in
   let det = Vec.dot a bc in
-  if det = 0. then None
+  if singular a b c then None
   else
     let over e (r : Vec.t) =
       shift e (Vec.v (r.x /. det) (r.y /. det) (r.z /. det))

@@ -44,5 +44,5 @@ val after : t -> t -> t
 (** [after b a] is the map that does [a] first, then [b]. *)
 
 val inverse : t -> t option
-(** [inverse m] is the map that undoes [m]; [None] if it has none, or one whose
-    entries are not finite. *)
+(** [inverse m] is the map that undoes [m]; [None] if it has none (decided
+    exactly), or one whose entries are not finite. *)

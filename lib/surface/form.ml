@@ -150,21 +150,34 @@ let gradient f (y : Vec.t) =
     ((f.axy *. y.x) +. (f.ayy *. y.y) +. (f.ayz *. y.z) +. f.gy)
     ((f.axz *. y.x) +. (f.ayz *. y.y) +. (f.azz *. y.z) +. f.gz)
 
-let value f p =
-  let open Double_double in
-  let row a b c = add (scale a p.x) (add (scale b p.y) (scale c p.z)) in
-  let gp = row f.gx f.gy f.gz in
-  let lower = add (add gp gp) (of_float f.k) in
-  if is_linear f then lower
-  else
-    let ap =
-      {
-        x = row f.axx f.axy f.axz;
-        y = row f.axy f.ayy f.ayz;
-        z = row f.axz f.ayz f.azz;
-      }
-    in
-    add (dot p ap) lower
+(* Every number as a sum of two doubles, the second in a variable of the same
+   name with a prime; written out, since this is done for each hit. *)
+let value f (p : Point.t) =
+  let open Error_free in
+  let x = p.x -. f.cx and y = p.y -. f.cy and z = p.z -. f.cz in
+  let x' = sum_error p.x (-.f.cx) x
+  and y' = sum_error p.y (-.f.cy) y
+  and z' = sum_error p.z (-.f.cz) z in
+  (* g.y *)
+  let g = dot f.gx f.gy f.gz x y z in
+  let g' = dot_error f.gx f.gy f.gz x y z g +. dot f.gx f.gy f.gz x' y' z' in
+  (* A y *)
+  let u = dot f.axx f.axy f.axz x y z
+  and v = dot f.axy f.ayy f.ayz x y z
+  and w = dot f.axz f.ayz f.azz x y z in
+  let u' = dot_error f.axx f.axy f.axz x y z u +. dot f.axx f.axy f.axz x' y' z'
+  and v' = dot_error f.axy f.ayy f.ayz x y z v +. dot f.axy f.ayy f.ayz x' y' z'
+  and w' =
+    dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z'
+  in
+  (* y.A y *)
+  let q = dot u v w x y z in
+  let q' =
+    dot_error u v w x y z q +. dot u' v' w' x y z +. dot u v w x' y' z'
+  in
+  let s = q +. (2. *. g) in
+  let t = s +. f.k in
+  t +. (sum_error q (2. *. g) s +. sum_error s f.k t +. q' +. (2. *. g'))
 
 type quadratic = {
   a : Double_double.t;

@@ -41,8 +41,10 @@ val slope : t -> Vec.t
 val gradient : t -> Vec.t -> Vec.t
 (** [gradient f y] is half the gradient at offset [y] from the centre. *)
 
-val value : t -> Double_double.vec -> Double_double.t
-(** [value f y] is F at offset [y] from the centre. *)
+val value : t -> Point.t -> float
+(** [value f p] is F at [p], computed as if in twice the precision and rounded:
+    off by at most 2^-53 of itself and 2^-100 of the sum of its absolute terms.
+*)
 
 (** {1 Along a line}
 

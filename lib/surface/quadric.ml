@@ -243,72 +243,85 @@ let meet_linear q (o : Point.t) (d : Vec.t) cursor =
     else Contact.none
   else meet_carefully q o d cursor
 
-(* The first tier accepts a number x only when it knows it within 2^7 u of x,
-   and decides a miss when the discriminant is below its error bound. *)
+(* The first tier: plain doubles, with bounds on their errors in units of u from
+   the same products of absolute values (names with a prime). Roots come from the
+   ray's origin, the discriminant from p, the point of the line where F has its
+   extremum: there it hardly cancels. A number x is accepted when it is known
+   within 2^5 u of x (the discriminant, of which the root is taken, 2^6 u), a miss
+   when the discriminant is below its error. *)
 let meet_curved q (o : Point.t) (d : Vec.t) cursor =
-  let f = q.form in
-  let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
+  let open Error_free in
+  let f = q.form and abs = Float.abs in
   let dx = d.x and dy = d.y and dz = d.z in
-  let d2 = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
-  let t = -.((fx *. dx) +. (fy *. dy) +. (fz *. dz)) /. d2 in
+  let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
+  (* A d and A f + g *)
+  let ux = dot f.axx f.axy f.axz dx dy dz
+  and uy = dot f.axy f.ayy f.ayz dx dy dz
+  and uz = dot f.axz f.ayz f.azz dx dy dz in
+  let wx = dot f.axx f.axy f.axz fx fy fz +. f.gx
+  and wy = dot f.axy f.ayy f.ayz fx fy fz +. f.gy
+  and wz = dot f.axz f.ayz f.azz fx fy fz +. f.gz in
+  let a = dot ux uy uz dx dy dz in
+  let b = dot wx wy wz dx dy dz in
+  let c = dot wx wy wz fx fy fz +. dot f.gx f.gy f.gz fx fy fz +. f.k in
+  let t = -.b /. a in
   let px = Float.fma t dx fx
   and py = Float.fma t dy fy
   and pz = Float.fma t dz fz in
-  (* A d, A p + g and A f + g *)
-  let ux = (f.axx *. dx) +. (f.axy *. dy) +. (f.axz *. dz)
-  and uy = (f.axy *. dx) +. (f.ayy *. dy) +. (f.ayz *. dz)
-  and uz = (f.axz *. dx) +. (f.ayz *. dy) +. (f.azz *. dz) in
-  let vx = (f.axx *. px) +. (f.axy *. py) +. (f.axz *. pz) +. f.gx
-  and vy = (f.axy *. px) +. (f.ayy *. py) +. (f.ayz *. pz) +. f.gy
-  and vz = (f.axz *. px) +. (f.ayz *. py) +. (f.azz *. pz) +. f.gz in
-  let a = (ux *. dx) +. (uy *. dy) +. (uz *. dz) in
-  let b = (vx *. dx) +. (vy *. dy) +. (vz *. dz) in
-  let gp = (f.gx *. px) +. (f.gy *. py) +. (f.gz *. pz) in
-  let c = (vx *. px) +. (vy *. py) +. (vz *. pz) +. gp +. f.k in
-  let dm = sqrt d2 in
-  let pm = sqrt ((px *. px) +. (py *. py) +. (pz *. pz)) in
-  let fm = sqrt ((fx *. fx) +. (fy *. fy) +. (fz *. fz)) in
-  (* Error bounds in units of u; the last terms are for rounding f. *)
-  let a_doubt = 8. *. f.a_size *. d2 in
-  let b_doubt =
-    dm *. ((10. *. ((f.a_size *. pm) +. f.g_size)) +. (f.a_size *. fm))
+  let vx = dot f.axx f.axy f.axz px py pz +. f.gx
+  and vy = dot f.axy f.ayy f.ayz px py pz +. f.gy
+  and vz = dot f.axz f.ayz f.azz px py pz +. f.gz in
+  let bp = dot vx vy vz dx dy dz in
+  let cp = dot vx vy vz px py pz +. dot f.gx f.gy f.gz px py pz +. f.k in
+  let disc = difference_of_products bp bp a cp in
+  (* What rounding f has lost, in units of u. *)
+  let lx = 0x1p53 *. abs (sum_error o.x (-.f.cx) fx)
+  and ly = 0x1p53 *. abs (sum_error o.y (-.f.cy) fy)
+  and lz = 0x1p53 *. abs (sum_error o.z (-.f.cz) fz) in
+  let dx = abs dx and dy = abs dy and dz = abs dz in
+  let fx = abs fx and fy = abs fy and fz = abs fz in
+  let px = abs px and py = abs py and pz = abs pz in
+  let axx = abs f.axx and ayy = abs f.ayy and azz = abs f.azz in
+  let axy = abs f.axy and axz = abs f.axz and ayz = abs f.ayz in
+  let gx = abs f.gx and gy = abs f.gy and gz = abs f.gz and k = abs f.k in
+  let ux = dot axx axy axz dx dy dz
+  and uy = dot axy ayy ayz dx dy dz
+  and uz = dot axz ayz azz dx dy dz in
+  let vx = dot axx axy axz px py pz +. (2. *. gx)
+  and vy = dot axy ayy ayz px py pz +. (2. *. gy)
+  and vz = dot axz ayz azz px py pz +. (2. *. gz) in
+  let gd = dot gx gy gz dx dy dz in
+  let a' = 8. *. dot ux uy uz dx dy dz in
+  let bp' = (10. *. (dot ux uy uz px py pz +. gd)) +. dot ux uy uz lx ly lz in
+  let cp' =
+    (12. *. (dot vx vy vz px py pz +. k)) +. (2. *. dot vx vy vz lx ly lz)
   in
-  let slope = (f.a_size *. pm) +. (2. *. f.g_size) in
-  let c_doubt =
-    (12. *. ((slope *. pm) +. Float.abs f.k)) +. (2. *. fm *. slope)
+  let disc' =
+    (2. *. abs bp *. bp')
+    +. (abs a *. cp')
+    +. (abs cp *. a')
+    +. (4. *. abs disc)
+    +. (0x1p-52 *. ((bp' *. bp') +. (a' *. cp')))
   in
-  let disc = Error_free.difference_of_products b b a c in
-  let doubt =
-    (2. *. Float.abs b *. b_doubt)
-    +. (Float.abs a *. c_doubt)
-    +. (Float.abs c *. a_doubt)
-    +. (4. *. Float.abs disc)
-    +. (0x1p-52 *. ((b_doubt *. b_doubt) +. (a_doubt *. c_doubt)))
-  in
-  if not (d2 > 0x1p-500 && d2 < 0x1p500 && doubt < 0x1p900 && doubt > 0x1p-800)
-  then meet_carefully q o d cursor
-  else if disc < -0x1p-52 *. doubt then Contact.none
+  if not (disc' > 0x1p-800 && disc' < 0x1p900 && a' <= 0x1p5 *. abs a) then
+    meet_carefully q o d cursor
+  else if disc < -0x1p-52 *. disc' then Contact.none
   else
-    let wx = (f.axx *. fx) +. (f.axy *. fy) +. (f.axz *. fz) +. f.gx
-    and wy = (f.axy *. fx) +. (f.ayy *. fy) +. (f.ayz *. fz) +. f.gy
-    and wz = (f.axz *. fx) +. (f.ayz *. fy) +. (f.azz *. fz) +. f.gz in
-    let b0 = (wx *. dx) +. (wy *. dy) +. (wz *. dz) in
-    let c0 =
-      (wx *. fx) +. (wy *. fy) +. (wz *. fz) +. (f.gx *. fx) +. (f.gy *. fy)
-      +. (f.gz *. fz) +. f.k
+    let wx = dot axx axy axz fx fy fz +. (2. *. gx)
+    and wy = dot axy ayy ayz fx fy fz +. (2. *. gy)
+    and wz = dot axz ayz azz fx fy fz +. (2. *. gz) in
+    let b' = 12. *. (dot ux uy uz fx fy fz +. gd) in
+    let c' =
+      (12. *. (dot wx wy wz fx fy fz +. k)) +. (2. *. dot wx wy wz lx ly lz)
     in
-    let slope = (f.a_size *. fm) +. (2. *. f.g_size) in
-    let c0_doubt = 12. *. ((slope *. fm) +. Float.abs f.k) in
-    let b0_doubt = 12. *. dm *. ((f.a_size *. fm) +. f.g_size) in
     let root = sqrt disc in
-    let r = if b0 >= 0. then -.(b0 +. root) else root -. b0 in
+    let r = if b >= 0. then -.(b +. root) else root -. b in
     if
-      doubt <= 0x1p7 *. disc
-      && a_doubt <= 0x1p7 *. Float.abs a
-      && c0_doubt <= 0x1p7 *. Float.abs c0
-      && b0_doubt <= 0x1p7 *. Float.abs r
-      && Float.abs b0 > 0x1p-50 *. b0_doubt
-    then consider_both q o d ~first:(c0 /. r) ~second:(r /. a) b0 cursor
+      disc' <= 0x1p6 *. disc
+      && c' <= 0x1p5 *. abs c
+      && b' <= 0x1p5 *. abs r
+      && abs b > 0x1p-50 *. b'
+    then consider_both q o d ~first:(c /. r) ~second:(r /. a) b cursor
     else meet_carefully q o d cursor
 
 let meet_surface q o d cursor =
@@ -425,27 +438,34 @@ let uv q (p : Point.t) y =
   | Axial { frame; axis; length2 } ->
       Some (turn frame y, Vec.dot axis y /. length2)
 
-(* F in double-double: what a computed point misses the surface by. *)
-let residual q p = (Form.value q.form (exact_offset q.form p)).hi
-
 let rounding (p : Point.t) =
   let u x = 0x1p-52 *. Float.abs x in
   Vec.v (u p.x) (u p.y) (u p.z)
 
-(* One Newton step along the gradient; what is left over after it, by the same
-   first-order formula, bounds the error. *)
+(* From 2^60 times its size a surface is reached by halving the distance. *)
+let most_steps = 64
+
+(* Newton steps along the gradient; what is left over after them, by the same
+   first-order formula, bounds the error. One step does, unless the ray comes
+   from so far that its own rounding is of the size of the surface. *)
 let locate_surface q o (d : Vec.t) t =
   let center = Form.center q.form in
   let first = Point.along o d t in
   let slope p = Form.gradient q.form (Point.sub p center) in
   let step p =
     let g = slope p in
-    let k = residual q p /. (2. *. Vec.dot g g) in
+    let k = Form.value q.form p /. (2. *. Vec.dot g g) in
     if Float.is_finite k then Point.add p (Vec.scale (-.k) g) else p
   in
-  let point = step first in
-  let g = slope point in
-  let left_over = Float.abs (residual q point) /. (2. *. Vec.norm g) in
+  let rec settle steps before =
+    let p = step before in
+    let g = slope p in
+    let left_over = Float.abs (Form.value q.form p) /. (2. *. Vec.norm g) in
+    let size = Vec.largest (Point.sub p Point.origin) in
+    if steps = 1 || not (left_over > 0x1p-50 *. size) then (p, g, left_over)
+    else settle (steps - 1) p
+  in
+  let point, g, left_over = settle most_steps first in
   let normal = Dir.of_vec_or (Dir.of_vec_or Dir.z (Vec.neg d)) g in
   let n = (normal :> Vec.t) in
   let spread n r =

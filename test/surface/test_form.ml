@@ -22,7 +22,9 @@ let exactly case =
 
 (* Within 2^-100 of the terms that are added up. *)
 let closely case =
-  let f, c, { Ray.origin = o; direction = d; _ }, offset, (a, b, k) = terms case in
+  let f, c, { Ray.origin = o; direction = d; _ }, offset, (a, b, k) =
+    terms case
+  in
   let open Double_double in
   let p =
     {
@@ -66,7 +68,7 @@ let cases =
   in
   Gen.pair (Gen.oneof [ Quadrics.named; random ]) Draw.ray
 
-let law name = Law.law ~count:4000 ~print:show name cases
+let law name = Law.law ~count:2000 ~print:show name cases
 
 let suite =
   ( "form",

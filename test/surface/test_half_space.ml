@@ -70,7 +70,7 @@ let suite =
     [
       Law.law ~count:5000 ~print:show "its terms along a ray are exact" both
         along_exactly;
-      Law.law ~count:20000
+      Law.law ~count:8000
         ~print:(fun (x, (t, k)) ->
           Printf.sprintf "%s\nt = %h, %g ulp off" (show x) t k)
         "a verdict that is sure is right for t within 8 ulp"

@@ -363,7 +363,7 @@ let scaled_cases =
 
 let cases = leaving scaled_cases
 
-let law ?(count = 20000) name gen holds =
+let law ?(count = 5000) name gen holds =
   Law.law ~count ~print:show name gen holds
 
 let suite =
@@ -379,19 +379,19 @@ let suite =
       law "leaving inwards starts inside of the exact surface" cases
         (origin_is_beside Inside);
       law "the offset is at most 8 u of the coordinates" cases offset_is_small;
-      Law.law ~count:20000 ~print:Shapes.show_case
+      Law.law ~count:5000 ~print:Shapes.show_case
         "the point of a hit is on the ray" Shapes.case point_is_on_ray;
       law "leaving outwards meets no twin in the same place" cases
         (leaves_its_twin Outside);
       law "leaving inwards does not enter a twin in the same place" cases
         (leaves_its_twin Inside);
       law "the root left behind is taken out exactly" cases other_root;
-      Law.law ~count:10000
+      Law.law ~count:5000
         ~print:(fun (l, k, _) -> Printf.sprintf "%s\nk = %d" (show l) k)
         "leaving along 2^k d gives t 2^-k as large"
         Gen.(map2 (fun l k -> (l, k, l)) cases (int_range (-200) 200))
         spawned_scaling;
-      Law.law ~count:20000
+      Law.law ~count:5000
         ~print:(fun (l, steps) ->
           Printf.sprintf "%s\nthrough %s" (show l)
             (String.concat "; " (List.map Transform.show_step steps)))

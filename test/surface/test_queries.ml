@@ -339,36 +339,36 @@ let scene_and g = Gen.pair Shapes.scene g
 let suite =
   ( "nearest and blocked",
     [
-      law ~count:20000 ~print:Shapes.show_scene
+      law ~count:2500 ~print:Shapes.show_scene
         "a group is met like a linear scan of its members, ties to the lowest \
          place, and blocked where that finds something"
         Shapes.scene scan_agrees;
       law ~print:Shapes.show_scene "the path of a member is its place"
         Shapes.scene path_is_place;
-      law ~count:4000
+      law ~count:2000
         ~print:(fun (s, _) -> Shapes.show_scene s)
         "permuted surfaces give the same surface" (scene_and Gen.int_pos)
         permuted;
-      law ~count:20000
+      law ~count:5000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\nk = %d" (Shapes.show_case c) k)
         "scaling by 2^k scales t, points and offsets by it, bit for bit"
         (Gen.pair Shapes.case (Gen.int_range (-60) 60))
         exactly_scaled;
-      law ~count:20000
+      law ~count:5000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\nk = %d" (Shapes.show_case c) k)
         "a direction 2^k as long gives t 2^-k as large, bit for bit"
         (Gen.pair Shapes.case (Gen.int_range (-60) 60))
         direction_scaled;
-      law ~count:20000
+      law ~count:5000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\naxis %d" (Shapes.show_case c) k)
         "mirroring an axis leaves t and mirrors point and normal"
         (Gen.pair no_ties (Gen.int_bound 2))
         mirrored;
       Law.example "a surface in 1,000 groups is met as if it stood alone" deep;
-      law ~count:4000
+      law ~count:2500
         ~print:(fun (s, k) ->
           Printf.sprintf "%s\ncut at %d" (Shapes.show_scene s) k)
         "groups of groups are met like one group" (scene_and Gen.nat_small)
@@ -397,6 +397,6 @@ let suite =
       law ~print:Shapes.show_case "what is no ray meets nothing" Shapes.case
         no_rays;
       Law.example "an empty group is never met" empty_group;
-      law ~count:20000 ~print:Shapes.show_case
+      law ~count:5000 ~print:Shapes.show_case
         "a hit says what its documentation promises" Shapes.case hit_is_sound;
     ] )

@@ -359,7 +359,7 @@ let kinds = Triangles.[ ordinary; t5; needles; far_away ]
 let each name f =
   List.map
     (fun { Family.name = family; cases } ->
-      Law.law ~count:4000
+      Law.law ~count:1500
         ~print:(Family.show Triangles.kind)
         (name ^ ": " ^ family)
         cases

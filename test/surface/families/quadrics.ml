@@ -243,12 +243,16 @@ let simply =
      let* ray = ray_at target in
      return (case (quadric shape) ray))
 
-let from_far =
-  family "named shapes, from 1e3..1e18 away"
+let from lo hi =
+  family
+    (Printf.sprintf "named shapes, from 1e%g..1e%g away" lo hi)
     (let* shape = named in
-     let* target = landmark shape and* n = unit and* far = wide 3. 18. in
+     let* target = landmark shape and* n = unit and* far = wide lo hi in
      let o = move target n far in
      return (case (quadric shape) (Ray.v o (normalised (toward o target)))))
+
+let from_far = from 3. 12.
+let from_beyond = from 12. 18.
 
 let capped =
   family "cylinders, cones and paraboloids with caps, aimed at their rims"
@@ -353,6 +357,7 @@ let all =
     random;
     simply;
     from_far;
+    from_beyond;
     capped;
     clipped;
     whole_clips;

@@ -1,0 +1,68 @@
+open Candor_space
+open Candor_oracle
+open Places
+
+(* |u·u − 1| ≤ 2^-50 and u is along a within 2^-51 of its components. *)
+let unit a =
+  match Dir.of_vec a with
+  | None -> Vec.equal a Vec.zero
+  | Some u ->
+      let u = (u :> Vec.t) in
+      let s = squares u in
+      let off = Exact.(cross (vec u) (vec a)) in
+      Q.leq (Q.abs (Q.sub s Q.one)) (Exact.power (-50))
+      && Q.leq (Exact.largest off) Exact.(power (-51) * size (vec a))
+      && Q.sign Exact.(dot (vec u) (vec a)) > 0
+
+let scaled (a, k) =
+  let by = Float.ldexp 1. k in
+  Dir.of_vec a = Dir.of_vec (Vec.scale by a)
+
+let none () =
+  List.iter
+    (fun a ->
+      Alcotest.(check bool) (show a) true (Dir.of_vec a = None);
+      Alcotest.(check bool) "or" true (Dir.of_vec_or Dir.y a = Dir.y))
+    [
+      Vec.zero;
+      Vec.v (-0.) 0. (-0.);
+      Vec.v nan 0. 1.;
+      Vec.v infinity 0. 1.;
+      Vec.v 1. neg_infinity 1.;
+    ]
+
+let extremes () =
+  List.iter
+    (fun a ->
+      match Dir.of_vec a with
+      | Some u -> Alcotest.(check bool) (show a) true (u = Dir.x)
+      | None -> Alcotest.fail (show a))
+    [
+      Vec.v 5e-324 0. 0.;
+      Vec.v 1e-200 0. 0.;
+      Vec.v 1e200 0. 0.;
+      Vec.v max_float 0. 0.;
+    ]
+
+let turned a =
+  match Dir.of_vec a with
+  | None -> true
+  | Some u ->
+      Dir.neg (Dir.neg u) = u
+      && Dir.dot u (Dir.neg u) = -.Dir.dot u u
+      && near 0x1p-50 (Dir.dot u u) 1.
+
+let suite =
+  ( "directions",
+    [
+      Law.law ~count:10000 ~print:show
+        "a direction has length 1 and points the same way, at any size" vec unit;
+      Law.law ~count:5000
+        ~print:(fun (a, k) -> Printf.sprintf "%s %d" (show a) k)
+        "a power of two changes no bit"
+        (QCheck2.Gen.pair ordinary (QCheck2.Gen.int_range (-300) 300))
+        scaled;
+      Law.law ~count:5000 ~print:show "turning twice changes nothing" vec turned;
+      Law.example "what has no direction has none" none;
+      Law.example "the smallest and the largest vectors have one" extremes;
+    ] )

@@ -1,0 +1,12 @@
+let () =
+  Alcotest.run "space"
+    [
+      Test_vec.suite;
+      Test_point.suite;
+      Test_dir.suite;
+      Test_frame.suite;
+      Test_bounds.suite;
+      Test_affine.suite;
+      Test_transform.suite;
+      Test_ray.suite;
+    ]
