@@ -280,7 +280,10 @@ let meet_curved q (o : Point.t) (d : Vec.t) cursor =
   and lz = 0x1p53 *. abs (sum_error o.z (-.f.cz) fz) in
   let dx = abs dx and dy = abs dy and dz = abs dz in
   let fx = abs fx and fy = abs fy and fz = abs fz in
-  let px = abs px and py = abs py and pz = abs pz in
+  (* As large as p can be, f being rounded. *)
+  let px = abs px +. (0x1p-53 *. lx)
+  and py = abs py +. (0x1p-53 *. ly)
+  and pz = abs pz +. (0x1p-53 *. lz) in
   let axx = abs f.axx and ayy = abs f.ayy and azz = abs f.azz in
   let axy = abs f.axy and axz = abs f.axz and ayz = abs f.ayz in
   let gx = abs f.gx and gy = abs f.gy and gz = abs f.gz and k = abs f.k in

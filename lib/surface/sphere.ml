@@ -132,7 +132,7 @@ let meet_freely s (o : Point.t) (d : Vec.t) cursor =
   else
     let plain = f2 -. r2 in
     (* Near its edge, or from close by, the sphere is met with care. *)
-    if p2 < 0.75 *. r2 && Float.abs plain > 0.25 *. f2 then
+    if p2 < 0.75 *. r2 && Float.abs plain > 0.5 *. f2 then
       let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
       let g = r2 -. p2 +. (rest *. rest /. a) in
       choose a h plain (sqrt (a *. g)) ~back:1. cursor

@@ -1,9 +1,14 @@
 let () =
   Alcotest.run "image"
     [
+      Test_extent.suite;
       Test_picture.suite;
       Test_raster.suite;
+      Test_scan.suite;
       Test_ppm.suite;
+      Test_deflate.suite;
+      Test_png_chunk.suite;
+      Test_png_filter.suite;
       Test_png.suite;
       Test_pfm.suite;
       Test_picture_file.suite;
