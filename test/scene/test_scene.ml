@@ -2,7 +2,10 @@ let () =
   Alcotest.run "scene"
     [
       Test_place.suite;
+      Test_texture.suite;
       Test_material.suite;
+      Test_light.suite;
+      Test_camera.suite;
       Test_description.suite;
       Test_assembly.suite;
     ]

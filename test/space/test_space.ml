@@ -8,5 +8,6 @@ let () =
       Test_bounds.suite;
       Test_affine.suite;
       Test_transform.suite;
+      Test_side.suite;
       Test_ray.suite;
     ]

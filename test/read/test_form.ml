@@ -1,0 +1,109 @@
+open Candor_read
+open Text
+
+let forms () =
+  let check text expected =
+    let found =
+      Option.map
+        (fun (f : Form.t) -> (f.head, List.length f.body))
+        (Form.of_located (Piece.first text))
+    in
+    Alcotest.(check (option (pair string int))) text expected found
+  in
+  check "(sphere (center 0 0 0) (radius 1))" (Some ("sphere", 2));
+  check "(caps)" (Some ("caps", 0));
+  check "(1 2 3)" (Some ("1", 2));
+  check "(\"two words\" 3)" (Some ("two words", 1));
+  check "()" None;
+  check "((a) b)" None;
+  check "a" None
+
+let where () =
+  let f = Piece.form "\n  (a (b) c)" in
+  let places = List.map (fun (s : Located.t) -> Span.to_string s.span) f.body in
+  Alcotest.(check string) "form" "2:3" (Span.to_string f.span);
+  Alcotest.(check (list string)) "body" [ "2:6"; "2:10" ] places
+
+let titles () =
+  let check = Alcotest.(check string) in
+  check "a form" "(sphere ...)" (Form.title "sphere");
+  check "a list" "this list" (Form.title "");
+  check "arguments" "(at X Y Z)" (Form.synopsis "at" "X Y Z");
+  check "no arguments" "(caps)" (Form.synopsis "caps" "");
+  check "no head" "(X Y Z)" (Form.synopsis "" "X Y Z")
+
+let quotes () =
+  let check text expected =
+    Alcotest.(check string) text expected (Form.quote (Piece.first text))
+  in
+  check "word" "`word`";
+  check "\"two words\"" "`two words`";
+  check "(sphere (radius 1))" "(sphere ...)";
+  check "()" "()";
+  check "((a))" "a list";
+  check
+    (Printf.sprintf "(%s)" (String.make 50 'x'))
+    (Printf.sprintf "(%s... ...)" (String.make 37 'x'))
+
+let founds () =
+  let check text expected =
+    Alcotest.(check string) text expected (Form.found (Piece.form text))
+  in
+  check "(f)" "nothing";
+  check "(f 1)" "1 word";
+  check "(f 1 2)" "2 words";
+  check "(f (1))" "1 item";
+  check "(f 1 (2) 3)" "3 items"
+
+let some_words =
+  let open QCheck2.Gen in
+  let words = list_size (int_bound 4) (string_size (int_range 1 3)) in
+  map2 (fun now later -> { Form.now; later }) words words
+
+let show { Form.now; later } =
+  Printf.sprintf "%s, later %s" (String.concat " " now)
+    (String.concat " " later)
+
+let joined =
+  law "joining words keeps all of them, and no words change nothing"
+    ~print:(fun (a, b, c) -> String.concat " / " (List.map show [ a; b; c ]))
+    QCheck2.Gen.(triple some_words some_words some_words)
+    (fun (a, b, c) ->
+      let ab = Form.join a b in
+      let all w = w.Form.now @ w.later in
+      List.for_all (fun w -> List.mem w (all ab)) (all a @ all b)
+      && List.for_all (fun w -> List.mem w ab.now) (a.now @ b.now)
+      && List.length (all ab) = List.length (all a) + List.length (all b)
+      && Form.join a Form.no_words = a
+      && Form.join Form.no_words a = a
+      && Form.join ab c = Form.join a (Form.join b c))
+
+let hints () =
+  let check word words expected =
+    Alcotest.(check (option string)) word expected (Form.unexpected word words)
+  in
+  let words = { Form.now = [ "radius"; "center" ]; later = [ "motion" ] } in
+  check "radios" words (Some "did you mean `radius`?");
+  check "motoin" words (Some "did you mean `motion`?");
+  check "banana" words (Some "expected radius or center");
+  check "" words (Some "expected radius or center");
+  check "banana" Form.no_words None;
+  check "banana" { words with now = [] } None;
+  let many n =
+    { Form.no_words with now = List.init n (Printf.sprintf "w%d0000") }
+  in
+  is "twelve are told" true (Form.unexpected "banana" (many 12) <> None);
+  check "banana" (many 13) None;
+  check "w120001" (many 13) (Some "did you mean `w120000`?")
+
+let suite =
+  ( "form",
+    [
+      case "a form is a list that begins with a word" forms;
+      case "a form knows where it and its parts stand" where;
+      case "titles and synopses name what is meant" titles;
+      case "an expression is quoted in short" quotes;
+      case "what is found is counted" founds;
+      joined;
+      case "an unexpected word is told what was meant, or what there is" hints;
+    ] )

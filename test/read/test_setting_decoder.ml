@@ -1,0 +1,120 @@
+open Candor_colour
+open Candor_read
+open Candor_scene
+open Text
+
+let image = Setting_decoder.image
+let render = Setting_decoder.render
+let background = Setting_decoder.background
+
+let sizes () =
+  let reads = Piece.reads ( = ) image in
+  reads "(image (size 640 480))" (640, 480);
+  reads "(image (size 1 65536))" (1, 65536);
+  Piece.refuses image "(image)" [ "1 (image ...) needs (size W H)" ];
+  Piece.refuses image "(image (size 0 65537))"
+    [
+      "14 W of (size ...) must be from 1 to 65536, but is `0`";
+      "16 H of (size ...) must be from 1 to 65536, but is `65537`";
+    ];
+  Piece.refuses image "(image (size 1.5 2))"
+    [ "14 `1.5` is not a whole number" ]
+
+let d = Scene.default_settings
+let reads = Piece.reads Scene.equal_settings render
+
+let settings () =
+  reads "(render)" d;
+  reads "(render (spp 7))" { d with spp = 7 };
+  reads "(render (depth 0))" { d with depth = 0 };
+  reads "(render (cutoff .25))" { d with cutoff = 0.25 };
+  reads "(render (seed 0))" { d with seed = 0 };
+  reads (Printf.sprintf "(render (seed %d))" max_int) { d with seed = max_int };
+  reads "(render (filter tent))" { d with filter = Tent };
+  reads "(render (filter box))" { d with filter = Box };
+  reads
+    "(render (filter tent) (seed 5) (cutoff 1) (depth 1073741824) (spp \
+     1073741824))"
+    {
+      spp = 0x40000000;
+      depth = 0x40000000;
+      cutoff = 1.;
+      seed = 5;
+      filter = Tent;
+    }
+
+let no_settings () =
+  let refuses = Piece.refuses render in
+  refuses "(render (spp 0))"
+    [ "14 (spp ...) must be from 1 to 1073741824, but is `0`" ];
+  refuses "(render (depth -1))"
+    [ "16 (depth ...) must be from 0 to 1073741824, but is `-1`" ];
+  refuses "(render (cutoff 1.5))"
+    [ "17 (cutoff ...) must be from 0 to 1, but is `1.5`" ];
+  refuses "(render (seed -1))"
+    [ Printf.sprintf "15 (seed ...) must be from 0 to %d, but is `-1`" max_int ];
+  refuses "(render (filter tend))"
+    [ "17 expected `box` or `tent`, not `tend`; did you mean `tent`?" ];
+  refuses "(render (error .1) (time 3))"
+    [ "9 `error` is not supported yet"; "20 `time` is not supported yet" ];
+  refuses "(render (spp 1) (spp 1))"
+    [ "17 (spp ...) is given twice in (render ...); the first is at 1:9" ]
+
+let backgrounds () =
+  let reads = Piece.reads Scene.equal_background background in
+  reads "(background .5)" (Uniform (Rgb.grey 0.5));
+  reads "(background (rgb 1 2 3))" (Uniform (Rgb.v 1. 2. 3.));
+  reads "(background (gradient (down 1) (up (rgb 0 0 9))))"
+    (Gradient { down = Rgb.white; up = Rgb.v 0. 0. 9. });
+  reads "(background (gradient (up (rgb 0 0 9)) (down 1)))"
+    (Gradient { down = Rgb.white; up = Rgb.v 0. 0. 9. })
+
+let no_backgrounds () =
+  let refuses = Piece.refuses background in
+  refuses "(background -1)" [ "13 a colour must not be negative, but is `-1`" ];
+  refuses "(background (gradient (up 1)))"
+    [ "13 (gradient ...) needs (down COLOUR)" ];
+  refuses "(background (image sky))" [ "13 `image` is not supported yet" ];
+  refuses "(background (sky))"
+    [ "13 unknown background `sky`; expected rgb or gradient" ]
+
+(* Every field that is written is read, and every one that is not has its
+   default. *)
+let any_settings =
+  let open QCheck2.Gen in
+  let part write d g =
+    let+ x = g and+ written = bool in
+    if written then (write x, x) else ("", d)
+  in
+  let+ s, spp = part (Printf.sprintf "(spp %d)") d.spp (int_range 1 999)
+  and+ e, depth = part (Printf.sprintf "(depth %d)") d.depth (int_bound 99)
+  and+ c, cutoff =
+    part (Printf.sprintf "(cutoff %h)") d.cutoff (float_range 0. 1.)
+  and+ n, seed = part (Printf.sprintf "(seed %d)") d.seed nat
+  and+ f, filter =
+    part
+      (fun (f : Scene.filter) ->
+        match f with Box -> "(filter box)" | Tent -> "(filter tent)")
+      d.filter
+      (map (fun b : Scene.filter -> if b then Box else Tent) bool)
+  in
+  ( Printf.sprintf "(render %s %s %s %s %s)" f c s n e,
+    { Scene.spp; depth; cutoff; seed; filter } )
+
+let defaults =
+  law ~count:500 "what is left out of the settings has its default" ~print:fst
+    any_settings (fun (text, expected) ->
+      match Piece.body render text with
+      | Some found, [] -> Scene.equal_settings expected found
+      | (Some _ | None), _ -> false)
+
+let suite =
+  ( "setting decoder",
+    [
+      case "a picture has from 1 to 65536 pixels each way" sizes;
+      case "each setting is read" settings;
+      case "what is no setting is told" no_settings;
+      defaults;
+      case "a background is a colour of light, or a gradient" backgrounds;
+      case "what is no background is told" no_backgrounds;
+    ] )
