@@ -19,6 +19,7 @@ let full =
     ]
 
 let box = Draw.either 15 (Gen.return Bounds.empty) full
+
 let alone b =
   let a = Box_array.create 1 in
   Box_array.set a 0 b;
@@ -101,8 +102,7 @@ let layout () =
   Box_array.set flat 1 b;
   Alcotest.(check int) "room" 12 (Float.Array.length flat);
   Alcotest.(check (list (float 0.)))
-    "x0 x1 y0 y1 z0 z1"
-    [ 0.; 1.; 2.; 3.; 4.; 5. ]
+    "x0 x1 y0 y1 z0 z1" [ 0.; 1.; 2.; 3.; 4.; 5. ]
     (List.init 6 (fun k -> Float.Array.get flat (6 + k)))
 
 (* {1 Measures} *)
@@ -126,8 +126,7 @@ let lengths b =
   List.for_all
     (fun axis ->
       let lo, hi = ends b axis in
-      Box_array.low flat 0 axis = lo
-      && Box_array.extent flat 0 axis = hi -. lo)
+      Box_array.low flat 0 axis = lo && Box_array.extent flat 0 axis = hi -. lo)
     [ 0; 1; 2 ]
 
 let widest b =
@@ -191,9 +190,7 @@ let suite =
         ~print:(fun (a, b) -> show_steps a ^ "\nand then\n" ^ show_steps b)
         "boxes are set, cleared, copied and joined as Bounds are"
         Gen.(
-          pair
-            (list_size (int_bound 15) step)
-            (list_size (int_bound 15) step))
+          pair (list_size (int_bound 15) step) (list_size (int_bound 15) step))
         as_bounds;
       Law.example "a box is x0 x1 y0 y1 z0 z1" layout;
       law "the centre is the middle within an ulp, and in the box" full middles;

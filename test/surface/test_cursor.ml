@@ -37,7 +37,8 @@ let keeps_least (limit, times) =
   | [] -> Contact.is_none kept && cursor.t = limit
   | (last, _) :: _ ->
       (not (Contact.is_none kept))
-      && Contact.part kept = last && cursor.t = least
+      && Contact.part kept = last
+      && cursor.t = least
 
 let show_time = Printf.sprintf "%h"
 
@@ -46,7 +47,8 @@ let suite =
     [
       Law.law ~count:10000
         ~print:(fun (limit, t) -> Printf.sprintf "%h within %h" t limit)
-        "it takes a finite t with 0 < t <= its own and moves there, and no other"
+        "it takes a finite t with 0 < t <= its own and moves there, and no \
+         other"
         Gen.(
           let* limit = time in
           let* t = oneof [ time; return limit; return (Float.succ limit) ] in
@@ -54,8 +56,7 @@ let suite =
         takes;
       Law.law
         ~print:(fun (limit, times) ->
-          String.concat " "
-            (show_time limit :: "<-" :: List.map show_time times))
+          String.concat " " (show_time limit :: "<-" :: List.map show_time times))
         "after several it is at the least, ties to the last"
         Gen.(
           pair

@@ -349,19 +349,19 @@ let suite =
         ~print:(fun (s, _) -> Shapes.show_scene s)
         "permuted surfaces give the same surface" (scene_and Gen.int_pos)
         permuted;
-      law ~count:5000
+      law ~count:1000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\nk = %d" (Shapes.show_case c) k)
         "scaling by 2^k scales t, points and offsets by it, bit for bit"
         (Gen.pair Shapes.case (Gen.int_range (-60) 60))
         exactly_scaled;
-      law ~count:5000
+      law ~count:1000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\nk = %d" (Shapes.show_case c) k)
         "a direction 2^k as long gives t 2^-k as large, bit for bit"
         (Gen.pair Shapes.case (Gen.int_range (-60) 60))
         direction_scaled;
-      law ~count:5000
+      law ~count:1000
         ~print:(fun (c, k) ->
           Printf.sprintf "%s\naxis %d" (Shapes.show_case c) k)
         "mirroring an axis leaves t and mirrors point and normal"
@@ -379,7 +379,7 @@ let suite =
         (scene_and
            (Gen.list_size (Gen.int_range 1 20) (Draw.vec (Draw.small 9))))
         moved_by_whole_numbers;
-      law ~count:500
+      law ~count:100
         ~print:(fun (levels, (n, far)) ->
           Printf.sprintf "%s\nfrom %s at %h"
             (String.concat "\n"
@@ -397,6 +397,6 @@ let suite =
       law ~print:Shapes.show_case "what is no ray meets nothing" Shapes.case
         no_rays;
       Law.example "an empty group is never met" empty_group;
-      law ~count:5000 ~print:Shapes.show_case
+      law ~count:1000 ~print:Shapes.show_case
         "a hit says what its documentation promises" Shapes.case hit_is_sound;
     ] )
