@@ -12,7 +12,7 @@ let make ~quiet =
   in
   { style; clock = Mtime_clock.counter (); last = Atomic.make 0. }
 
-let elapsed p = Mtime.Span.to_float_ns (Mtime_clock.count p.clock) *. 1e-9
+let elapsed p = Mtime.Span.to_float_ns (Mtime_clock.count p.clock) /. 1e9
 
 let time s =
   if s < 9.95 then Printf.sprintf "%.1f s" s

@@ -76,5 +76,5 @@ let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
   in
   let clock = Mtime_clock.counter () in
   let rows = Rows.parallel ~domains ~stop height one in
-  let seconds = Mtime.Span.to_float_ns (Mtime_clock.count clock) *. 1e-9 in
+  let seconds = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9 in
   Option.map (report window ~seconds ~domains) (complete rows)

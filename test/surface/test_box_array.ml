@@ -8,7 +8,7 @@ let box_of number =
   let* a = Draw.point number and* b = Draw.point number in
   return (Bounds.of_points [ a; b ])
 
-let huge = Draw.signed (Draw.wide 290. 307.)
+let huge = Draw.signed (Draw.wide 290. 308.2)
 
 let full =
   Gen.oneof

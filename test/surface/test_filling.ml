@@ -90,10 +90,10 @@ let suite =
         law ~count:60
           "an outline seen whole from a point takes two fewer than corners"
           star_shaped fills_simply;
-        law ~count:150 "a tangle's border is filled exactly" tangle (fun o ->
+        law ~count:100 "a tangle's border is filled exactly" tangle (fun o ->
             fills_border (border o));
         law ~count:40 "so is that of a tangle of long sides" wild (fun o ->
             fills_border (border o));
-        law ~count:90 "so is one of edges too close to tell apart" strand
+        law ~count:60 "so is one of edges too close to tell apart" strand
           (fun o -> fills_border (border_of (strand_corners o)));
       ] )

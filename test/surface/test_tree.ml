@@ -256,7 +256,7 @@ let law ?count name gen holds = Law.law ?count ~print:show name gen holds
 let suite =
   ( "tree",
     [
-      law ~count:1200
+      law ~count:800
         "every item is in one leaf, and every node's box is the least that \
          holds its items"
         cases is_sound;
