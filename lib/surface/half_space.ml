@@ -49,3 +49,18 @@ let along h (o : Point.t) (d : Vec.t) =
   let from = { x = diff o.x h.px; y = diff o.y h.py; z = diff o.z h.pz } in
   let d = { x = of_float d.x; y = of_float d.y; z = of_float d.z } in
   (sub (dot n from) (of_float h.c), dot n d)
+
+let normal h =
+  let open Double_double in
+  { x = of_float h.nx; y = of_float h.ny; z = of_float h.nz }
+
+let depth h (x : Point.t) =
+  let open Double_double in
+  let from =
+    {
+      x = Error_free.two_diff x.x h.px;
+      y = Error_free.two_diff x.y h.py;
+      z = Error_free.two_diff x.z h.pz;
+    }
+  in
+  sub (of_float h.c) (dot (normal h) from)

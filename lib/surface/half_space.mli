@@ -29,3 +29,10 @@ val verdict : t -> Point.t -> Vec.t -> float -> verdict
 val along : t -> Point.t -> Vec.t -> Expansion.t * Expansion.t
 (** [along h o d] is (v, w), exactly: the point at [t] is in [h] iff v + t·w ≤
     0. *)
+
+val normal : t -> Double_double.vec
+(** [normal h] is n, which points out of [h] and need not have length 1. *)
+
+val depth : t -> Point.t -> Double_double.t
+(** [depth h x] is c − n·(x − p), in double-double: positive inside, in units of
+    n's length. *)

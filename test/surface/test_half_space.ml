@@ -35,6 +35,19 @@ let verdict_is_right ((h, (ray : Ray.t)), (t, ulps)) =
   | Out -> Q.sign value > 0
   | Unsure -> true
 
+let depth_is_exact_to_double_double (h, (ray : Ray.t)) =
+  let value, _ = exact_terms h ray in
+  let { Error_free.hi; lo } = Half_space.depth h ray.origin in
+  let { Point.x; y; z } = ray.origin in
+  let size n p x = Q.abs Exact.(q n * (q x - q p)) in
+  let terms =
+    Q.add (size h.nx h.px x)
+      (Q.add (size h.ny h.py y)
+         (Q.add (size h.nz h.pz z) (Q.abs (Exact.q h.c))))
+  in
+  let error = Q.abs Exact.(q hi + q lo + value) in
+  Q.leq error Exact.((power (-98) * terms) + power (-1060))
+
 let of_bounds () =
   let b = Bounds.v (Point.v 0. 1. 2.) (Point.v 3. infinity 5.) in
   let cuts = Half_space.of_bounds b in
@@ -80,5 +93,8 @@ let suite =
                (oneof [ map Float.abs (Draw.small 9); Draw.wide (-8.) 8. ])
                (Draw.uniform (-8.) 8.)))
         verdict_is_right;
+      Law.law ~count:8000 ~print:show
+        "the depth of a point is right to double-double" both
+        depth_is_exact_to_double_double;
       Law.example "those of a box hold what the box holds" of_bounds;
     ] )

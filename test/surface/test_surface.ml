@@ -7,6 +7,7 @@ let () =
       Test_polygon.suite;
       Test_form.suite;
       Test_half_space.suite;
+      Test_cut_form.suite;
       Test_quadric.suite;
       Test_bvh.suite;
       Test_queries.suite;
