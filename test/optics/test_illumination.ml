@@ -54,7 +54,7 @@ let under degrees distance =
 let red ?falloff ?(distance = 1.) inner outer degrees =
   (at (spot ?falloff inner outer) (under degrees distance)).irradiance.r /. 300.
 
-(* The smooth step of the cosine, as design.md 3 has it. *)
+(* The smooth step of the cosine. *)
 let factor inner outer degrees =
   let cos d = Float.cos (d *. Float.pi /. 180.) in
   if degrees <= inner then 1.

@@ -1,4 +1,5 @@
-(** A scene made larger by a power of two, as design.md 1 defines it. *)
+(** A scene with every length multiplied by a power of two, and what goes with
+    lengths: intensities by its square. *)
 
 open Candor_space
 open Candor_colour
