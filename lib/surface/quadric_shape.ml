@@ -26,12 +26,24 @@ let positive (r : Vec.t) = r.x > 0. && r.y > 0. && r.z > 0.
 let radii_error = "the radii must be above 0"
 let size_ok x = Float.abs x >= 0x1p-400 && Reach.length x
 
+(* Squares of larger or smaller coefficients would leave the range of doubles;
+   the constant term goes with the square of lengths. *)
+let check_coefficients coefficients constant =
+  let largest =
+    Array.fold_left (fun m x -> Float.max m (Float.abs x)) 0. coefficients
+  in
+  if not (Reach.length largest && Float.abs constant <= 0x1p800) then
+    Error Reach.message
+  else if largest > 0. && largest < 0x1p-400 then
+    Error "the largest coefficient must not be below 2^-400"
+  else Ok ()
+
 let check_axial from until radius =
   let axis = Point.sub until from in
   if not (Reach.point from && Reach.point until && Reach.length radius) then
     Error Reach.message
   else if not (radius > 0.) then Error "the radius must be above 0"
-  else if not (size_ok (Vec.norm axis) && size_ok radius) then
+  else if not (Vec.norm axis >= 0x1p-400 && size_ok radius) then
     Error "the two ends must be apart, and the radius not below 2^-400"
   else Ok ()
 
@@ -48,7 +60,7 @@ let check = function
       else if not (Array.for_all Float.is_finite q) then Error Reach.message
       else if not (symmetric 4 q) then
         Error "the matrix is not symmetric: qij and qji must be equal"
-      else Ok ()
+      else check_coefficients (Array.sub q 0 15) q.(15)
   | Form { a; b; c } ->
       if Array.length a <> 9 then Error "the form's a has 9 numbers"
       else if
@@ -58,7 +70,7 @@ let check = function
       then Error Reach.message
       else if not (symmetric 3 a) then
         Error "the form's a is not symmetric: aij and aji must be equal"
-      else Ok ()
+      else check_coefficients (Array.append a [| b.x; b.y; b.z |]) c
   | Plane { normal; offset } ->
       if not (Reach.vec normal && Reach.length offset) then Error Reach.message
       else if Vec.equal normal Vec.zero then Error "the normal must not be zero"

@@ -25,7 +25,8 @@ type t =
 
 val check : t -> (unit, string) result
 (** [check s] is [Error why] for an asymmetric matrix, radii that are not
-    positive, an axis of no length, a zero normal, or numbers beyond 2^±400. *)
+    positive, an axis of no length, a zero normal, or numbers beyond 2^±400 (F's
+    constant term: 2^800). *)
 
 type ends = { first : Point.t; second : Point.t; radius : float }
 

@@ -154,7 +154,11 @@ let numbers_are_checked () =
       refuses far (Form { a = Array.make 9 x; b = one; c = 0. });
       refuses far (Form { a = Array.make 9 1.; b = v 0. x 0.; c = 0. });
       refuses far (Form { a = Array.make 9 1.; b = one; c = x }))
-    [ nan; infinity; neg_infinity ]
+    [ nan; infinity; neg_infinity; 1e300 ];
+  let tiny = 0x1p-401 in
+  let small = "the largest coefficient must not be below 2^-400" in
+  refuses small (Matrix (Array.make 16 tiny));
+  refuses small (Form { a = Array.make 9 tiny; b = v tiny tiny tiny; c = 1. })
 
 let named_are_fine s =
   match Quadric_shape.check s with
