@@ -37,5 +37,5 @@ val widest : t -> int -> int
     that tie. *)
 
 val half_area : t -> int -> unit:float -> float
-(** [half_area b i ~unit] is half the surface of box [i] in units of unit², 0 if
-    it is empty. *)
+(** [half_area b i ~unit] is half the surface of box [i] in units of unit², 0
+    after {!clear}. *)

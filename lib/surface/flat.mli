@@ -46,9 +46,9 @@ val to_grid : t -> t
     grid. *)
 
 val crossing : view -> t * t -> t * t -> t
-(** [crossing view (a, b) (c, d)] is the point of the grid nearest to where the
-    segment from [a] to [b] crosses the one from [c] to [d]. The ends of each
-    must be on the grid and on different sides of the other. *)
+(** [crossing view (a, b) (c, d)] is a point of the grid within its width of
+    where the segment from [a] to [b] crosses the one from [c] to [d]. The ends
+    of each must be on the grid and on different sides of the other. *)
 
 val enters : t * t -> t -> bool
 (** [enters (a, b) p] is [true] iff the segment from [a] to [b] meets the square
