@@ -23,8 +23,6 @@ let scale k a =
   let p = Error_free.two_product k a.hi in
   renormalise p.hi (Float.fma k a.lo p.lo)
 
-let shift e a = { hi = Float.ldexp a.hi e; lo = Float.ldexp a.lo e }
-
 let div a b =
   let q = a.hi /. b.hi in
   if not (Float.is_finite q) then of_float q

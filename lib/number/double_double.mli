@@ -23,9 +23,6 @@ val mul : t -> t -> t
 val scale : float -> t -> t
 (** [scale k a] is [k·a] within 2u². *)
 
-val shift : int -> t -> t
-(** [shift e a] is [a·2^e]. *)
-
 val div : t -> t -> t
 (** [div a b] is [a/b] within 15u². *)
 

@@ -105,11 +105,8 @@ let is_finite m =
 
 (* Whether three columns are in one plane, exactly. *)
 let singular a b c =
-  let exact (v : Vec.t) =
-    let open Expansion in
-    { x = of_float v.x; y = of_float v.y; z = of_float v.z }
-  in
-  Expansion.(sign (dot (exact a) (cross (exact b) (exact c)))) = 0
+  let a = Unrounded.vec a and b = Unrounded.vec b and c = Unrounded.vec c in
+  Expansion.(sign (dot a (cross b c))) = 0
 
 (* The inverse of rows is the cofactors over the determinant. Columns are first
    brought near 1 by powers of two, so that tiny and huge scales neither

@@ -12,23 +12,9 @@ let make form ~cuts ~disks = { form; linear = Form.is_linear form; cuts; disks }
 
 (* {1 Cutting} *)
 
-let exact_vec (o : Point.t) (p : Point.t) =
-  {
-    Expansion.x = Expansion.diff o.x p.x;
-    y = Expansion.diff o.y p.y;
-    z = Expansion.diff o.z p.z;
-  }
-
-let exact_dir (d : Vec.t) =
-  {
-    Expansion.x = Expansion.of_float d.x;
-    y = Expansion.of_float d.y;
-    z = Expansion.of_float d.z;
-  }
-
 let exact_equation q o d =
-  let f = exact_vec o (Form.center q.form) in
-  Form.along_exactly q.form f (exact_dir d)
+  let f = Unrounded.diff o (Form.center q.form) in
+  Form.along_exactly q.form f (Unrounded.vec d)
 
 (* What t is a root of: F along the ray, or the plane of one of the cuts. *)
 type solved = Of_form of { falling : bool } | Of_cut of int
@@ -77,24 +63,11 @@ let consider_both q o d ~first ~second b cursor =
   let earlier = consider q o d first b Root.First cursor in
   later earlier (consider q o d second b Root.Second cursor)
 
-let exact_offset f (o : Point.t) =
-  let c = Form.center f in
-  {
-    Double_double.x = Error_free.two_diff o.x c.x;
-    y = Error_free.two_diff o.y c.y;
-    z = Error_free.two_diff o.z c.z;
-  }
-
-let unit_direction (d : Vec.t) =
-  let _, e = Float.frexp (Vec.largest d) in
-  let part x = Double_double.of_float (Float.ldexp x (-e)) in
-  ({ Double_double.x = part d.x; y = part d.y; z = part d.z }, e)
-
 (* dAd, exactly, rounded to a double-double: along a generator it cancels to
    less than double-double leaves of it. *)
 let exact_bend f (d : Double_double.vec) =
   let zero = Expansion.of_float 0. in
-  let d = exact_dir (Vec.v d.x.hi d.y.hi d.z.hi) in
+  let d = Unrounded.vec (Vec.v d.x.hi d.y.hi d.z.hi) in
   let a, _, _ = Form.along_exactly f { x = zero; y = zero; z = zero } d in
   let hi = Expansion.to_float a in
   let rest = Expansion.(sub a (of_float hi)) in
@@ -108,9 +81,9 @@ let bend f unit (a : Double_double.t) =
    of the line nearest to the centre. *)
 let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
   let open Double_double in
-  let unit, e = unit_direction d in
+  let unit, e = Unrounded.pair_near_one d in
   let back t = Float.ldexp (to_float t) (-e) in
-  let f = exact_offset q.form o in
+  let f = Unrounded.pair_diff o (Form.center q.form) in
   let { Form.a; b; c } = Form.along q.form f unit in
   let a = bend q.form unit a in
   if a.hi = 0. then
@@ -235,8 +208,10 @@ let meet_surface q o d cursor =
 (* With the origin on the surface the equation is t (a t + 2 b) = 0. Leaving
    outwards F rises, so b > 0, and the other root is ahead only if a < 0. *)
 let meet_again_carefully q o d side cursor =
-  let unit, e = unit_direction d in
-  let { Form.a; b; c = _ } = Form.along q.form (exact_offset q.form o) unit in
+  let unit, e = Unrounded.pair_near_one d in
+  let { Form.a; b; c = _ } =
+    Form.along q.form (Unrounded.pair_diff o (Form.center q.form)) unit
+  in
   let ahead =
     match (side : Side.t) with
     | Outside -> b.hi > 0. && a.hi < 0.
@@ -283,7 +258,7 @@ let on_disk q o d t cut =
 
 (* Where the ray crosses the plane of a cut, and how fast. *)
 let cut_distance h o d =
-  let unit, e = unit_direction d in
+  let unit, e = Unrounded.pair_near_one d in
   let across = Double_double.dot (Half_space.normal h) unit in
   let t = Double_double.(to_float (div (Half_space.depth h o) across)) in
   (Float.ldexp t (-e), across.hi)

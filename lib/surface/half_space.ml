@@ -43,24 +43,19 @@ let verdict h (o : Point.t) (d : Vec.t) t =
   let doubt = 0x1p-44 *. (sizes +. Float.abs h.c) in
   if v < -.doubt then In else if v > doubt then Out else Unsure
 
-let along h (o : Point.t) (d : Vec.t) =
+let vec h = Vec.v h.nx h.ny h.nz
+let point h = Point.v h.px h.py h.pz
+
+let along h o d =
   let open Expansion in
-  let n = { x = of_float h.nx; y = of_float h.ny; z = of_float h.nz } in
-  let from = { x = diff o.x h.px; y = diff o.y h.py; z = diff o.z h.pz } in
-  let d = { x = of_float d.x; y = of_float d.y; z = of_float d.z } in
-  (sub (dot n from) (of_float h.c), dot n d)
+  let n = Unrounded.vec (vec h) in
+  let from = Unrounded.diff o (point h) in
+  (sub (dot n from) (of_float h.c), dot n (Unrounded.vec d))
 
 let normal h =
   let open Double_double in
   { x = of_float h.nx; y = of_float h.ny; z = of_float h.nz }
 
-let depth h (x : Point.t) =
-  let open Double_double in
-  let from =
-    {
-      x = Error_free.two_diff x.x h.px;
-      y = Error_free.two_diff x.y h.py;
-      z = Error_free.two_diff x.z h.pz;
-    }
-  in
-  sub (of_float h.c) (dot (normal h) from)
+let depth h x =
+  let from = Unrounded.pair_diff x (point h) in
+  Double_double.(sub (of_float h.c) (dot (normal h) from))

@@ -143,16 +143,8 @@ let meet_again s (o : Point.t) (d : Vec.t) left cursor =
   match Contact.side left with
   | Outside -> Contact.none
   | Inside ->
-      let _, e = Float.frexp (Vec.largest d) in
-      let part x = Double_double.of_float (Float.ldexp x (-e)) in
-      let d = { Double_double.x = part d.x; y = part d.y; z = part d.z } in
-      let f =
-        {
-          Double_double.x = Error_free.two_diff o.x s.x;
-          y = Error_free.two_diff o.y s.y;
-          z = Error_free.two_diff o.z s.z;
-        }
-      in
+      let d, e = Unrounded.pair_near_one d in
+      let f = Unrounded.pair_diff o (center s) in
       let open Double_double in
       let t = div (scale (-2.) (dot f d)) (dot d d) in
       Cursor.take cursor (Float.ldexp (to_float t) (-e)) inside

@@ -21,13 +21,6 @@ type t = {
 }
 [@@deriving show, eq, ord]
 
-let exact_diff (p : Point.t) (q : Point.t) =
-  {
-    Expansion.x = Expansion.diff p.x q.x;
-    y = Expansion.diff p.y q.y;
-    z = Expansion.diff p.z q.z;
-  }
-
 let size (p : Point.t) = Vec.largest (Point.sub p Point.origin)
 let size_of { a; b; c } = Float.max (size a) (Float.max (size b) (size c))
 
@@ -43,7 +36,7 @@ let raise_to_300 m = 300 - snd (Float.frexp m)
 
 let has_area corners =
   let { a; b; c } = rescaled (raise_to_300 (size_of corners)) corners in
-  let n = Expansion.cross (exact_diff b a) (exact_diff c a) in
+  let n = Expansion.cross (Unrounded.diff b a) (Unrounded.diff c a) in
   Expansion.(sign n.x <> 0 || sign n.y <> 0 || sign n.z <> 0)
 
 let directions (a, b, c) =
@@ -92,9 +85,9 @@ let view corners o (d : Vec.t) =
   let o = shift length o and { a; b; c } = rescaled length corners in
   let part x = Expansion.of_float (Float.ldexp x time) in
   {
-    to_a = exact_diff a o;
-    to_b = exact_diff b o;
-    to_c = exact_diff c o;
+    to_a = Unrounded.diff a o;
+    to_b = Unrounded.diff b o;
+    to_c = Unrounded.diff c o;
     toward = { x = part d.x; y = part d.y; z = part d.z };
     length;
     time;
@@ -235,7 +228,7 @@ let[@inline] cancels x size = not (Float.abs x > 0x1p-16 *. size)
 
 let exact_normal corners =
   let { a; b; c } = rescaled (raise_to_300 (size_of corners)) corners in
-  let n = Expansion.cross (exact_diff b a) (exact_diff c a) in
+  let n = Expansion.cross (Unrounded.diff b a) (Unrounded.diff c a) in
   Vec.v (Expansion.to_float n.x) (Expansion.to_float n.y)
     (Expansion.to_float n.z)
 

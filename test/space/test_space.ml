@@ -6,6 +6,7 @@ let () =
       Test_dir.suite;
       Test_frame.suite;
       Test_bounds.suite;
+      Test_unrounded.suite;
       Test_affine.suite;
       Test_transform.suite;
       Test_side.suite;

@@ -1,0 +1,22 @@
+open Candor_number
+
+let vec (a : Vec.t) =
+  let open Expansion in
+  { x = of_float a.x; y = of_float a.y; z = of_float a.z }
+
+let diff (p : Point.t) (q : Point.t) =
+  let open Expansion in
+  { x = diff p.x q.x; y = diff p.y q.y; z = diff p.z q.z }
+
+let pair_diff (p : Point.t) (q : Point.t) =
+  let open Error_free in
+  {
+    Double_double.x = two_diff p.x q.x;
+    y = two_diff p.y q.y;
+    z = two_diff p.z q.z;
+  }
+
+let pair_near_one (a : Vec.t) =
+  let _, e = Float.frexp (Vec.largest a) in
+  let part x = Double_double.of_float (Float.ldexp x (-e)) in
+  ({ Double_double.x = part a.x; y = part a.y; z = part a.z }, e)
