@@ -38,6 +38,11 @@ let ratio a b =
     q +. (rest /. y)
   else q
 
+let ratio_pair a b =
+  let q = ratio a b in
+  let rest = if Float.is_finite q then ratio (sub a (scale q b)) b else 0. in
+  Error_free.two_sum q rest
+
 type vec = { x : t; y : t; z : t }
 
 let dot a b = add (mul a.x b.x) (add (mul a.y b.y) (mul a.z b.z))

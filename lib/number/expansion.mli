@@ -32,6 +32,10 @@ val ratio : t -> t -> float
 (** [ratio x y] is [x/y] within two units in the last place; [nan] or infinite
     where [y] is zero. *)
 
+val ratio_pair : t -> t -> Error_free.t
+(** [ratio_pair x y] is [x/y] within 2^-102 of it; [nan] or infinite where [y]
+    is zero. *)
+
 (** {1 Vectors} *)
 
 type vec = { x : t; y : t; z : t }

@@ -5,6 +5,11 @@ let make ~seed ~spp =
   let columns = Int.max 1 (int_of_float (sqrt (float_of_int spp))) in
   { seed; spp; columns; rows = (spp + columns - 1) / columns }
 
+(* i + f, which may round to i + 1 for f just below 1, stays below it. *)
+let within i f =
+  let next = float_of_int (i + 1) in
+  Float.min (float_of_int i +. f) (Float.pred next)
+
 let ratio a b = a /. float_of_int b
 
 let stratified p ~x ~y sample =
@@ -14,14 +19,9 @@ let stratified p ~x ~y sample =
   let column =
     Key.permute (Key.derive pixel 0) ~length:p.columns (s mod p.columns)
   and row = Key.permute (Key.derive pixel 1) ~length:p.rows (s / p.columns) in
-  let in_cell =
-    ratio (float_of_int row +. Key.float (Key.derive jitter 0)) p.rows
-  in
-  let in_row = float_of_int s +. Key.float (Key.derive jitter 1) in
-  {
-    u = ratio (float_of_int column +. in_cell) p.columns;
-    v = ratio in_row p.spp;
-  }
+  let in_cell = ratio (within row (Key.float (Key.derive jitter 0))) p.rows in
+  let in_row = within s (Key.float (Key.derive jitter 1)) in
+  { u = ratio (within column in_cell) p.columns; v = ratio in_row p.spp }
 
 let position p ~x ~y sample =
   if p.spp = 1 then { u = 0.5; v = 0.5 } else stratified p ~x ~y sample

@@ -71,9 +71,13 @@ let odd () =
   encodes "minus infinity" neg_infinity 0.;
   encodes "minus zero" (-0.) 0.;
   encodes "below 0" (-0.5) 0.;
+  encodes "just below 0" (-1e-17) 0.;
   encodes "above 1" 1.5 255.;
+  encodes "far above 1" 1e300 255.;
   encodes "one" 1. 255.;
-  check_int "the least double" 0 (Display.level 5e-324)
+  List.iter
+    (fun (x, n) -> check_int (Printf.sprintf "level %h" x) n (Display.level x))
+    [ (5e-324, 0); (-1e-17, 0); (nan, 0); (1e300, 255); (infinity, 255) ]
 
 let any =
   Gen.oneof [ Draw.uniform (-0.2) 1.2; Draw.coordinate; Draw.wide (-12.) 0. ]
@@ -90,7 +94,7 @@ let suite =
         around;
       law "smallpt's formula anywhere" (fun x -> Display.level x = to_int x);
       Law.example "every level survives decode and level" round_trip;
-      Law.example "nan, infinities and what is outside [0;1]" odd;
+      Law.example "G17: nan, infinities and what is outside [0;1]" odd;
       law "encode stays in [0;255] and level is its nearest whole number"
         (fun x ->
           let e = Display.encode x and n = float_of_int (Display.level x) in

@@ -4,5 +4,7 @@ let () =
       Test_error_free.suite;
       Test_double_double.suite;
       Test_expansion.suite;
+      Test_running_sum.suite;
+      Test_running_variance.suite;
       Test_angle.suite;
     ]

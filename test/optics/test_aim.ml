@@ -114,6 +114,22 @@ let far ((eye, look_at, up, (x, y)) as view) =
          Vec.equal near.direction far.direction)
        frames
 
+(* Beside 1e9 + 1e-3 there is no double within 1e-8. *)
+let fine_pitch () =
+  let window : Camera.window =
+    { left = -0.32; right = 0.32; bottom = -0.24; top = 0.24 }
+  in
+  let c =
+    camera ~eye:(p 1e9 0. 0.) ~look_at:(p 1e9 0. (-1.)) ~up:(Vec.v 0. 1. 0.)
+      (Perspective_window { window; distance = 1. })
+  in
+  let pixel i = (ray c ~width:640 ~height:480 i 0.5).direction.x in
+  List.iter
+    (fun i ->
+      let pitch = pixel (i +. 1.) -. pixel i in
+      Alcotest.(check (float 1e-15)) "the pitch" 1e-3 pitch)
+    (List.init 639 (fun i -> float_of_int i +. 0.5))
+
 let scaled ((eye, look_at, up, (x, y)) as view) =
   (not (sees view))
   || List.for_all
@@ -155,7 +171,11 @@ let suite =
         orthographic;
       Law.example "rays start on the near plane" near;
       Law.example "other directions of up" turned;
-      law "a camera 1e9 from the origin sends the same directions, to the bit"
+      Law.example "G10: a camera at 1e9 tells pixels apart that are 1e-3 wide"
+        fine_pitch;
+      law
+        "G10: a camera 1e9 from the origin sends the same directions, to the \
+         bit"
         far;
       law "scaling by 2^k keeps directions and scales origins, to the bit"
         scaled;

@@ -59,6 +59,12 @@ let in_range (x, y, seed) =
   let u = number ~seed x y in
   0. <= u && u < 1. && Float.is_integer (Float.ldexp u 53)
 
+(* Seeds found by running the hash backwards. *)
+let extremes () =
+  let check name = Alcotest.(check (float 0.)) name in
+  check "the least" 0. (number ~seed:3201355884347206473 0 0);
+  check "the greatest" (Float.pred 1.) (number ~seed:3297201218104050994 0 0)
+
 let repeats (x, y, seed) =
   let first = number ~seed x y in
   ignore (number ~seed (x + 1) y : float);
@@ -119,8 +125,10 @@ let suite =
         uniform;
       Law.example "neighbouring keys give independent numbers" independent;
       Law.example "different uses have different keys" distinct;
-      Law.law ~print:show "a number is in [0;1[, a multiple of 2^-53" position
-        in_range;
+      Law.example "G25: the numbers 0 and 1 - 2^-53 turn up, 1 does not"
+        extremes;
+      Law.law ~print:show "G25: a number is in [0;1[, a multiple of 2^-53"
+        position in_range;
       Law.law ~print:show "a number does not depend on what is asked before"
         position repeats;
       Law.example

@@ -68,6 +68,34 @@ let centre () =
         "one sample" (0.5, 0.5) (u, v))
     [ (0, 0, 0); (17, 4, 99); (639, 479, -5) ]
 
+(* Seeds, found by running the hash backwards, with which the first sample of the
+   first pixel is as far as it gets in its cell (0 or 1 - 2^-53), across or in its
+   row. *)
+let extremes =
+  [
+    4506709122190709474;
+    2046403769988206410;
+    -3995807389729937349;
+    3937777261843076881;
+    3692768939964956438;
+    1077809018168410219;
+    4002374431446509928;
+    -709021044362011754;
+  ]
+
+let at_the_edge () =
+  let within { Pattern.u; v } =
+    let in_tent u = -1. <= Pattern.tent u && Pattern.tent u < 1. in
+    0. <= u && u < 1. && 0. <= v && v < 1. && in_tent u && in_tent v
+  in
+  List.iter
+    (fun seed ->
+      Alcotest.(check bool)
+        (Printf.sprintf "seed %d" seed)
+        true
+        (Array.for_all within (positions ~seed ~spp:4 0 0)))
+    extremes
+
 let uniform () =
   let pixels = 1 lsl 13 and bins = 48 in
   List.iter
@@ -135,6 +163,7 @@ let odd u = u < 0.5 || Pattern.tent (1. -. u) = -.Pattern.tent u
 let tent_points () =
   let check x u = Alcotest.(check (float 0.)) (show_u u) x (Pattern.tent u) in
   check (-1.) 0.;
+  check (1. -. 0x1p-26) (Float.pred 1.);
   check (-0.5) 0.125;
   check 0. 0.5;
   check 0.5 0.875
@@ -164,7 +193,9 @@ let suite =
   ( "patterns",
     [
       Law.example "one sample is at the exact centre" centre;
-      law "samples are in the unit square" in_square;
+      law "G25: samples are in the unit square" in_square;
+      Law.example "G25: nor do they leave it where keys give 0 or 1 - 2^-53"
+        at_the_edge;
       law "each of the spp rows holds exactly one sample" rows;
       law "each cell of the grid holds one sample" cells;
       law "samples are stratified across as well" steps_across;
@@ -172,7 +203,7 @@ let suite =
       Law.example "every sample by itself is uniform over pixels" uniform;
       Law.example "neighbouring pixels have independent patterns" pixels_differ;
       Law.example "samples are anywhere in their strata, independently" jitters;
-      unit_law "tent is within [-1;1[" in_tent;
+      unit_law "G25: tent is within [-1;1[" in_tent;
       unit_law "tent is the inverse of the area under 1 - |x|" inverts;
       unit_law "tent is odd about a half, to the bit" odd;
       tent_rises;
