@@ -94,12 +94,12 @@ let rec converse reply buffer p =
       converse reply buffer p
   | exception Unix.Unix_error (EINTR, _, _) -> converse reply buffer p
 
-let run file as_hex =
+let run file math as_hex =
   match Settings.read file with
   | Error status -> status
   | Ok scene ->
       let reply =
-        answer (if as_hex then hex else decimal) (Assembly.surface scene)
+        answer (if as_hex then hex else decimal) (Assembly.surface ~math scene)
       in
       let p =
         converse reply (Bytes.create 65536) { line = 0; bad = false; rest = "" }
@@ -132,4 +132,4 @@ let command =
   Cmd.v
     (Cmd.info "cast" ~doc:"intersect rays from standard input with a scene" ~man
        ~exits:Status.infos)
-    Term.(const run $ Settings.scene $ as_hex)
+    Term.(const run $ Settings.scene $ Settings.math $ as_hex)

@@ -22,7 +22,7 @@ let options =
   List.fold_left both (Term.const ())
     (List.map with_value
        [ "error"; "confidence"; "time"; "map"; "save-map"; "part" ]
-    @ List.map flag [ "resume"; "naive-math" ])
+    @ [ flag "resume" ])
 
 (* Its options are taken too: they are not what is wrong with the line. *)
 let command (name, doc, options) =

@@ -13,6 +13,7 @@ type options = {
   domains : int option;
   crop : Render.window option;
   all_effects : bool;
+  math : Candor_surface.Math.t;
   binary : bool;
   stats : string option;
   quiet : bool;
@@ -71,7 +72,7 @@ let writing_stats name f =
 
 let trace o ~stop scene window =
   let plan = Settings.plan ~all_effects:o.all_effects scene in
-  let pixel = Pixel.compile ~plan scene in
+  let pixel = Pixel.compile ~plan ~math:o.math scene in
   let progress = Progress.make ~quiet:o.quiet in
   let report =
     Render.run ?domains:o.domains ~stop ~progress:(Progress.report progress)
@@ -158,8 +159,8 @@ let binary =
 let quiet = Arg.(value & flag & info [ "quiet" ] ~doc:"Say nothing but errors.")
 
 let term =
-  let make scene output settings domains crop all_effects binary stats quiet ()
-      =
+  let make scene output settings domains crop all_effects math binary stats
+      quiet () =
     let o =
       {
         scene;
@@ -168,6 +169,7 @@ let term =
         domains;
         crop;
         all_effects;
+        math;
         binary;
         stats;
         quiet;
@@ -177,7 +179,8 @@ let term =
   in
   Term.(
     const make $ Settings.scene $ output $ Settings.term $ domains $ crop
-    $ Settings.all_effects $ binary $ stats $ quiet $ Refused.options)
+    $ Settings.all_effects $ Settings.math $ binary $ stats $ quiet
+    $ Refused.options)
 
 let man =
   [

@@ -126,6 +126,20 @@ let all_effects =
           "Compile every effect in, whether the scene calls for it or not. \
            Same picture, bit for bit; more time.")
 
+let math =
+  let naive =
+    Arg.(
+      value & flag
+      & info [ "naive-math" ]
+          ~doc:
+            "Meet surfaces by the formulas of textbooks, with an epsilon of \
+             1e-4, to see what stability costs and what breaks without it.")
+  in
+  let of_flag naive : Candor_surface.Math.t =
+    if naive then Textbook else Stable
+  in
+  Term.(const of_flag $ naive)
+
 let plan ~all_effects scene =
   if all_effects then Candor_effect.Plan.all scene
   else Candor_effect.Plan.of_scene scene

@@ -20,3 +20,4 @@ val read : string -> (Scene.t, Status.t) result
 
 val plan : all_effects:bool -> Scene.t -> Candor_effect.Plan.t
 val all_effects : bool Cmdliner.Term.t
+val math : Candor_surface.Math.t Cmdliner.Term.t

@@ -72,7 +72,7 @@ let trace pixel x y sample =
   let tally = Tally.make ~watch () in
   ignore (Pixel.sample pixel tally ~x ~y ~sample : Rgb.t)
 
-let run file settings x y sample =
+let run file settings math x y sample =
   match Settings.read file with
   | Error status -> status
   | Ok scene ->
@@ -89,7 +89,7 @@ let run file settings x y sample =
              sample spp (spp - 1))
       else (
         Printf.printf "pixel %d %d, sample %d of %d\n" x y sample spp;
-        trace (Pixel.compile scene) x y sample;
+        trace (Pixel.compile ~math scene) x y sample;
         Fine)
 
 let coordinate i docv doc =
@@ -115,4 +115,6 @@ let command =
   Cmd.v
     (Cmd.info "trace" ~doc:"show the rays behind one pixel" ~man
        ~exits:Status.infos)
-    Cmdliner.Term.(const run $ Settings.scene $ Settings.term $ x $ y $ sample)
+    Cmdliner.Term.(
+      const run $ Settings.scene $ Settings.term $ Settings.math $ x $ y
+      $ sample)

@@ -15,21 +15,23 @@ let calls (scene : Scene.t) =
   in
   List.filter casts lit
 
-(* A light at t = 1 is not in its own way. *)
-let before_light = Float.pred 1.
+(* What a light at t = 1 stands on is not in its way: that is met at 1, within
+   the error of any t. *)
+let before_light = 1. -. 0x1p-50
 
 let shadow_ray source hit =
   match (source : Illumination.source) with
   | Along toward -> (Hit.spawn hit toward, infinity)
   | At light ->
       let ray = Hit.spawn hit (Point.sub light hit.point) in
-      ({ ray with direction = Point.sub light ray.origin }, before_light)
+      (Ray.toward light ray, before_light)
 
 let reach surface (light : Light.t) : Direct.reach =
   let source = Illumination.source light in
   fun tally hit ->
     let ray, limit = shadow_ray source hit in
     Tally.count tally Shadow_rays;
-    let blocked = Surface.blocked surface ~limit ray in
+    let effort = Tally.effort tally in
+    let blocked = Surface.blocked surface ~effort ~limit ray in
     if Tally.watched tally then Tally.show tally (Shadow { light; blocked });
     not blocked

@@ -1,3 +1,5 @@
+open Candor_surface
+
 type counter =
   | Camera_rays
   | Shadow_rays
@@ -26,19 +28,33 @@ let index = function
   | Cut_by_weight -> 4
   | Non_finite -> 5
 
-type t = { counts : int array; watch : (Event.t -> unit) option }
+type t = {
+  counts : int array;
+  effort : Effort.t;
+  watch : (Event.t -> unit) option;
+}
 
-let make ?watch () = { counts = Array.make (List.length counters) 0; watch }
+let make ?watch () =
+  {
+    counts = Array.make (List.length counters) 0;
+    effort = Effort.make ();
+    watch;
+  }
 
 let count t c =
   let i = index c in
   t.counts.(i) <- t.counts.(i) + 1
 
 let get t c = t.counts.(index c)
+let effort t = t.effort
 
 let sum ts =
   let total i = List.fold_left (fun n t -> n + t.counts.(i)) 0 ts in
-  { counts = Array.init (List.length counters) total; watch = None }
+  {
+    counts = Array.init (List.length counters) total;
+    effort = Effort.sum (List.map effort ts);
+    watch = None;
+  }
 
 let watched t = Option.is_some t.watch
 let show t e = match t.watch with Some f -> f e | None -> ()

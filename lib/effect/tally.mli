@@ -31,6 +31,9 @@ val count : t -> counter -> unit
 val get : t -> counter -> int
 (** [get t c] is how often [c] was counted. *)
 
+val effort : t -> Candor_surface.Effort.t
+(** [effort t] is what intersection queries add to. *)
+
 val sum : t list -> t
 (** [sum ts] has the counts of all [ts] together. *)
 

@@ -2,6 +2,7 @@ open Candor_colour
 open Candor_scene
 open Candor_effect
 open Candor_image
+open Candor_surface
 
 type output = { clamped : int; rounding : float }
 
@@ -67,13 +68,20 @@ let cut_off (s : Scene.t) tally =
         (String.concat ", " ended)
 
 let numerics (r : Render.report) =
-  let samples = count (Tally.get r.tally Non_finite) "non-finite sample" in
+  let effort = Tally.effort r.tally in
+  let samples =
+    Printf.sprintf
+      "%s of %s tests needed more than plain doubles; %d non-finite"
+      (amount (Effort.careful effort))
+      (amount (Effort.tests effort))
+      (Tally.get r.tally Non_finite)
+  in
   match r.non_finite_pixel with
   | None -> samples
   | Some (x, y) ->
       Printf.sprintf
-        "%s; the first in pixel %d %d: see candor trace SCENE %d %d" samples x y
-        x y
+        "%s samples, the first in pixel %d %d: see candor trace SCENE %d %d"
+        samples x y x y
 
 let output_line (format : Picture_file.format) picture =
   match format with
@@ -127,6 +135,7 @@ let json_image (scene : Scene.t) (r : Render.report) =
 let json_ledger (r : Render.report) =
   let { clamped; rounding } = output r.picture in
   let cut c = Json.Int (Tally.get r.tally c) in
+  let effort = Tally.effort r.tally in
   Json.Object
     [
       ("sampling", Object [ ("rms", Null) ]);
@@ -134,7 +143,13 @@ let json_ledger (r : Render.report) =
         Object
           [ ("by_depth", cut Cut_by_depth); ("by_weight", cut Cut_by_weight) ]
       );
-      ("numerics", Object [ ("non_finite", cut Non_finite) ]);
+      ( "numerics",
+        Object
+          [
+            ("tests", Int (Effort.tests effort));
+            ("careful", Int (Effort.careful effort));
+            ("non_finite", cut Non_finite);
+          ] );
       ( "output",
         Object [ ("clamped", Int clamped); ("rounding", Float rounding) ] );
     ]

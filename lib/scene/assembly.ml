@@ -28,7 +28,7 @@ let transform steps =
   | [] -> None
   | _ :: _ -> Result.to_option (Transform.of_steps steps)
 
-let surface (scene : Scene.t) =
+let surface ?math (scene : Scene.t) =
   let materials = table scene.materials
   and definitions = table scene.definitions in
   (* Local mutation: what has been shared so far, by name and material given. *)
@@ -49,7 +49,7 @@ let surface (scene : Scene.t) =
     | Quadric x -> Surface.quadric x skin
     | Polygon { triangles; _ } ->
         let part x = Surface.triangle x skin in
-        Surface.group (Array.of_list (List.map part triangles))
+        Surface.group ?math (Array.of_list (List.map part triangles))
     | Group { transform = steps; surfaces } ->
         Surface.seen_through ?transform:(transform steps)
           (all inherited surfaces)
@@ -57,7 +57,7 @@ let surface (scene : Scene.t) =
         Surface.seen_through ?transform:(transform steps)
           (definition inherited name)
   and all inherited surfaces =
-    Surface.group (Array.map (one inherited) (Array.of_list surfaces))
+    Surface.group ?math (Array.map (one inherited) (Array.of_list surfaces))
   and definition inherited name =
     match Hashtbl.find_opt shared (name, inherited) with
     | Some group -> group

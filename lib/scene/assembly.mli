@@ -6,9 +6,10 @@ type skin = { material : Material.t; place : Place.t }
 (** What a traced surface carries: its material, resolved, and where it is
     written. *)
 
-val surface : Scene.t -> skin Surface.t
-(** [surface s] is all of [s]'s surfaces as one group. A definition is shared by
-    all its uses that give it the same material to inherit. *)
+val surface : ?math:Math.t -> Scene.t -> skin Surface.t
+(** [surface s] is all of [s]'s surfaces as one group, met by [math] (default
+    [Stable]). A definition is shared by all its uses that give it the same
+    material to inherit. *)
 
 type use = { name : string option; material : Material.t; place : Place.t }
 (** A material that some surface is made of, with the place that says so: where

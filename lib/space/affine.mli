@@ -31,18 +31,26 @@ val transposed : t -> Vec.t -> Vec.t
 (** [transposed m a] is the transpose of [m]'s linear part applied to [a]. With
     the inverse map it takes normals along. *)
 
-val point_error : t -> Point.t -> Vec.t -> Vec.t
-(** [point_error m p e] is, for each coordinate, a bound on the error of
-    [point m p] when every coordinate of [p] is off by at most that of [e]
-    (non-negative). After M. Pharr, W. Jakob, G. Humphreys,
+val point_error : t -> Point.t -> Vec.t
+(** [point_error m p] is, for each coordinate, a bound on the rounding error of
+    [point m p]. After M. Pharr, W. Jakob, G. Humphreys,
     {e Physically Based Rendering}, 4th ed. (2023), 6.8. *)
 
-val determinant : t -> float
-(** [determinant m] is that of the linear part. *)
+val spread : t -> Vec.t -> Vec.t
+(** [spread m e] is, for each coordinate, a bound on how far the exact image of
+    a point moves when every coordinate of the point does by at most that of [e]
+    (non-negative). *)
 
-val after : t -> t -> t
-(** [after b a] is the map that does [a] first, then [b]. *)
+(** {1 Columns} *)
 
-val inverse : t -> t option
-(** [inverse m] is the map that undoes [m]; [None] if it has none (decided
-    exactly), or one whose entries are not finite. *)
+type columns = { x : Vec.t; y : Vec.t; z : Vec.t; t : Vec.t }
+(** The images of the three unit vectors, and the translation. *)
+
+val columns : t -> columns
+(** [columns m] is [m] by columns. *)
+
+val of_columns : columns -> t
+(** [of_columns c] is the map with the columns [c]. *)
+
+val zero : t
+(** [zero] is the map whose numbers are all zero. *)

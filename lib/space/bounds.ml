@@ -82,8 +82,10 @@ let transform m b =
   if not (is_finite b) then if b.x0 > b.x1 then empty else everything
   else
     let add acc p =
-      let image = Affine.point m p in
-      let { Vec.x; y; z } = Affine.point_error m p Vec.zero in
+      let image, rest = Wide_affine.point m p Vec.zero in
+      let { Vec.x; y; z } =
+        Vec.add (Vec.abs rest) (Wide_affine.point_error m p Vec.zero)
+      in
       let e = greatest x (greatest y z) in
       join acc (widen e (v image image))
     in

@@ -45,6 +45,6 @@ val low : t -> Point.t
 val high : t -> Point.t
 (** [high b] is the corner (x1, y1, z1). *)
 
-val transform : Affine.t -> t -> t
+val transform : Wide_affine.t -> t -> t
 (** [transform m b] is a box that holds the image of every point of [b]; where
     [b] is not finite, neither is it. *)

@@ -8,6 +8,8 @@ let[@inline] sub p q = Vec.v (p.x -. q.x) (p.y -. q.y) (p.z -. q.z)
 let[@inline] along p (d : Vec.t) t =
   v (Float.fma t d.x p.x) (Float.fma t d.y p.y) (Float.fma t d.z p.z)
 
+let ldexp e p = v (Float.ldexp p.x e) (Float.ldexp p.y e) (Float.ldexp p.z e)
+
 let is_finite p =
   Float.is_finite p.x && Float.is_finite p.y && Float.is_finite p.z
 

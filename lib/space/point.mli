@@ -17,6 +17,10 @@ val sub : t -> t -> Vec.t
 val along : t -> Vec.t -> float -> t
 (** [along p d t] is [p + t·d], each coordinate rounded once. *)
 
+val ldexp : int -> t -> t
+(** [ldexp e p] is [p] with each coordinate times 2^e, exact unless it leaves
+    the range of doubles. *)
+
 val is_finite : t -> bool
 (** [is_finite p] is [true] iff no coordinate is infinite or not a number. *)
 

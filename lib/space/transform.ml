@@ -7,22 +7,20 @@ type step =
   | Matrix of Affine.t
 [@@deriving show, eq, ord]
 
-type t = { forward : Affine.t; backward : Affine.t }
+type t = { forward : Wide_affine.t; backward : Wide_affine.t }
 
-let identity = { forward = Affine.identity; backward = Affine.identity }
 let forward m = m.forward
 let backward m = m.backward
 
 let after b a =
   {
-    forward = Affine.after b.forward a.forward;
-    backward = Affine.after a.backward b.backward;
+    forward = Wide_affine.after b.forward a.forward;
+    backward = Wide_affine.after a.backward b.backward;
   }
 
-let translation (v : Vec.t) =
-  { Affine.identity with xt = v.x; yt = v.y; zt = v.z }
-
-let scaling (v : Vec.t) = { Affine.identity with xx = v.x; yy = v.y; zz = v.z }
+let identity =
+  let m = Wide_affine.of_affine Affine.identity in
+  { forward = m; backward = m }
 
 (* O. Rodrigues' formula: the rotation by an angle about a unit axis. *)
 let rotation (axis : Vec.t) degrees =
@@ -42,24 +40,25 @@ let rotation (axis : Vec.t) degrees =
     zz = (d *. z *. z) +. c;
   }
 
+let invertible m =
+  Option.map
+    (fun backward -> { forward = Wide_affine.of_affine m; backward })
+    (Wide_affine.inverse m)
+
 let of_step = function
   | Translate v ->
-      Ok { forward = translation v; backward = translation (Vec.neg v) }
+      Option.to_result ~none:"a translation must be finite"
+        (invertible { Affine.identity with xt = v.x; yt = v.y; zt = v.z })
   | Scale v ->
-      let inverse = Vec.v (1. /. v.x) (1. /. v.y) (1. /. v.z) in
-      if not (Vec.is_finite inverse) then
-        Error "a scale by zero cannot be undone"
-      else Ok { forward = scaling v; backward = scaling inverse }
-  | Rotate { axis; degrees } -> (
-      match Dir.of_vec axis with
-      | None -> Error "a rotation needs an axis that is not zero"
-      | Some u ->
-          let turn = rotation (u :> Vec.t) in
-          Ok { forward = turn degrees; backward = turn (-.degrees) })
-  | Matrix m -> (
-      match Affine.inverse m with
-      | None -> Error "this matrix is singular: it cannot be undone"
-      | Some inverse -> Ok { forward = m; backward = inverse })
+      Option.to_result ~none:"a scale by zero cannot be undone"
+        (invertible { Affine.identity with xx = v.x; yy = v.y; zz = v.z })
+  | Rotate { axis; degrees } ->
+      let turn axis = invertible (rotation (axis : Dir.t :> Vec.t) degrees) in
+      Option.to_result ~none:"a rotation needs an axis that is not zero"
+        (Option.bind (Dir.of_vec axis) turn)
+  | Matrix m ->
+      Option.to_result ~none:"this matrix is singular: it cannot be undone"
+        (invertible m)
 
 let of_steps steps =
   let add m step =
@@ -71,8 +70,5 @@ let of_steps steps =
   match List.fold_left add (Ok identity) steps with
   | Error _ as e -> e
   | Ok m ->
-      let finite (a : Affine.t) =
-        Point.is_finite (Affine.point a (Point.v 1. 1. 1.))
-      in
-      if finite m.forward && finite m.backward then Ok m
+      if Wide_affine.(is_finite m.forward && is_finite m.backward) then Ok m
       else Error "these steps together go beyond the numbers that fit"

@@ -10,7 +10,9 @@ type step =
 [@@deriving show, eq, ord]
 
 type t
-(** A map with its inverse. *)
+(** A map with its inverse: each step's own doubles, exactly, the inverse of
+    each as near as pairs of doubles come, and all of them composed in pairs of
+    doubles. *)
 
 val identity : t
 
@@ -20,10 +22,10 @@ val of_steps : step list -> (t, string) result
     zero, a rotation about no axis, a singular matrix, or numbers that overflow.
 *)
 
-val forward : t -> Affine.t
+val forward : t -> Wide_affine.t
 (** [forward m] takes points from inside to outside. *)
 
-val backward : t -> Affine.t
+val backward : t -> Wide_affine.t
 (** [backward m] undoes [forward m]. *)
 
 val after : t -> t -> t

@@ -16,7 +16,9 @@ let pair_diff (p : Point.t) (q : Point.t) =
     z = two_diff p.z q.z;
   }
 
-let pair_near_one (a : Vec.t) =
-  let _, e = Float.frexp (Vec.largest a) in
-  let part x = Double_double.of_float (Float.ldexp x (-e)) in
-  ({ Double_double.x = part a.x; y = part a.y; z = part a.z }, e)
+let diff_error (p : Point.t) (q : Point.t) (d : Vec.t) =
+  let open Error_free in
+  Vec.v
+    (sum_error p.x (-.q.x) d.x)
+    (sum_error p.y (-.q.y) d.y)
+    (sum_error p.z (-.q.z) d.z)

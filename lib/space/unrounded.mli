@@ -11,7 +11,5 @@ val diff : Point.t -> Point.t -> Expansion.vec
 val pair_diff : Point.t -> Point.t -> Double_double.vec
 (** [pair_diff p q] is the same, exactly too, as double-doubles. *)
 
-val pair_near_one : Vec.t -> Double_double.vec * int
-(** [pair_near_one a] is (b, e) with a = b·2^e and the largest component of [b]
-    in \[1/2;1\[ either way; exact unless components differ by a factor near
-    2^1000. For [a] other than zero. *)
+val diff_error : Point.t -> Point.t -> Vec.t -> Vec.t
+(** [diff_error p q d] is what [d = Point.sub p q] is off by, exactly. *)

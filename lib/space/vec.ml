@@ -6,6 +6,11 @@ let[@inline] neg a = v (-.a.x) (-.a.y) (-.a.z)
 let[@inline] add a b = v (a.x +. b.x) (a.y +. b.y) (a.z +. b.z)
 let[@inline] sub a b = v (a.x -. b.x) (a.y -. b.y) (a.z -. b.z)
 let[@inline] scale k a = v (k *. a.x) (k *. a.y) (k *. a.z)
+
+let[@inline] along a d t =
+  v (Float.fma t d.x a.x) (Float.fma t d.y a.y) (Float.fma t d.z a.z)
+
+let ldexp e a = v (Float.ldexp a.x e) (Float.ldexp a.y e) (Float.ldexp a.z e)
 let[@inline] dot a b = (a.x *. b.x) +. (a.y *. b.y) +. (a.z *. b.z)
 
 let[@inline] cross a b =
@@ -13,6 +18,9 @@ let[@inline] cross a b =
     ((a.y *. b.z) -. (a.z *. b.y))
     ((a.z *. b.x) -. (a.x *. b.z))
     ((a.x *. b.y) -. (a.y *. b.x))
+
+let abs a = v (Float.abs a.x) (Float.abs a.y) (Float.abs a.z)
+let[@inline] norm1 a = Float.abs a.x +. Float.abs a.y +. Float.abs a.z
 
 let largest a =
   let x = Float.abs a.x and y = Float.abs a.y and z = Float.abs a.z in
@@ -28,9 +36,7 @@ let norm a =
   else if safe m then sqrt (dot a a)
   else
     let _, e = Float.frexp m in
-    let a =
-      v (Float.ldexp a.x (-e)) (Float.ldexp a.y (-e)) (Float.ldexp a.z (-e))
-    in
+    let a = ldexp (-e) a in
     Float.ldexp (sqrt (dot a a)) e
 
 let is_finite a =

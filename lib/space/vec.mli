@@ -20,6 +20,12 @@ val sub : t -> t -> t
 val scale : float -> t -> t
 (** [scale k a] is [k·a]. *)
 
+val along : t -> t -> float -> t
+(** [along a d t] is [a + t·d], each component rounded once. *)
+
+val ldexp : int -> t -> t
+(** [ldexp e a] is a·2^e, exact unless it leaves the range of doubles. *)
+
 val dot : t -> t -> float
 (** [dot a b] is the scalar product. *)
 
@@ -30,6 +36,12 @@ val cross : t -> t -> t
 val norm : t -> float
 (** [norm a] is the Euclidean length, without overflow or underflow on the way.
 *)
+
+val abs : t -> t
+(** [abs a] has the absolute components of [a]. *)
+
+val norm1 : t -> float
+(** [norm1 a] is the sum of the absolute components. *)
 
 val largest : t -> float
 (** [largest a] is the greatest of the absolute components. *)

@@ -18,19 +18,31 @@ let make ~(min : Point.t) ~(max : Point.t) =
 
 let bounds b = b
 
-(* Where the ray enters and leaves one slab. A ray along the slab is in it for
-   ever or never. Division, not the product with a reciprocal: it rounds once,
-   and is right for subnormal directions. *)
-let[@inline] enter lo hi o d =
-  if d > 0. then (lo -. o) /. d
-  else if d < 0. then (hi -. o) /. d
-  else if lo <= o && o <= hi then neg_infinity
+(* Where o + o' + t (d + d') reaches p, for d other than zero. Division, not the
+   product with a reciprocal: it rounds once, and is right for subnormal
+   directions. The low parts, if any, are made up for by one step of the
+   division's remainder. *)
+let[@inline] reach p o o' d d' =
+  let n = p -. o in
+  let t = n /. d in
+  if (o' = 0. && d' = 0.) || not (Float.is_finite t) then t
+  else
+    let rest = Error_free.sum_error p (-.o) n -. o' -. (t *. d') in
+    t +. ((Float.fma (-.t) d n +. rest) /. d)
+
+(* A ray along a slab is in it for ever or never. *)
+let[@inline] within lo hi o o' = lo -. o <= o' && o' <= hi -. o
+
+let[@inline] enter lo hi o o' d d' =
+  if d > 0. then reach lo o o' d d'
+  else if d < 0. then reach hi o o' d d'
+  else if within lo hi o o' then neg_infinity
   else infinity
 
-let[@inline] leave lo hi o d =
-  if d > 0. then (hi -. o) /. d
-  else if d < 0. then (lo -. o) /. d
-  else if lo <= o && o <= hi then infinity
+let[@inline] leave lo hi o o' d d' =
+  if d > 0. then reach hi o o' d d'
+  else if d < 0. then reach lo o o' d d'
+  else if within lo hi o o' then infinity
   else neg_infinity
 
 let ends (b : Bounds.t) axis =
@@ -55,32 +67,41 @@ let not_above x y e =
 
 (* Whether the ray enters slab [i] no later than it leaves slab [j], exactly:
    (p - o_i) / d_i <= (q - o_j) / d_j, multiplied out. *)
-let in_order b (o : Point.t) (d : Vec.t) i j =
+let in_order b (ray : Object_ray.t) i j =
+  let d = ray.direction in
   let di = Vec.get d i and dj = Vec.get d j in
   if di = 0. || dj = 0. then true
   else
-    let oi = Point.get o i and oj = Point.get o j in
     let low_i, high_i = ends b i and low_j, high_j = ends b j in
     let p = if di > 0. then low_i else high_i in
     let q = if dj > 0. then high_j else low_j in
     (* Lengths are brought near 2^600, so that no bit of a product is lost. *)
     let size x = snd (Float.frexp x) in
     let most = Float.max (Float.abs p) (Float.abs q) in
-    let most = Float.max most (Float.max (Float.abs oi) (Float.abs oj)) in
+    let most = Float.max most (Float.abs (Point.get ray.origin i)) in
+    let most = Float.max most (Float.abs (Point.get ray.origin j)) in
     let length x = Float.ldexp x (600 - size most) in
-    let unit x = Expansion.of_float (Float.ldexp x (-size x)) in
-    let near = Expansion.diff (length p) (length oi)
-    and far = Expansion.diff (length q) (length oj) in
-    let near = Expansion.mul near (unit (Float.abs dj))
-    and far = Expansion.mul far (unit (Float.abs di)) in
+    let far p i =
+      let open Expansion in
+      sub
+        (diff (length p) (length (Point.get ray.origin i)))
+        (of_float (length (Vec.get ray.origin_low i)))
+    in
+    let speed d i =
+      let unit x = Expansion.of_float (Float.ldexp x (-size d)) in
+      let s = Expansion.add (unit d) (unit (Vec.get ray.direction_low i)) in
+      if d > 0. then s else Expansion.neg s
+    in
+    let near = Expansion.mul (far p i) (speed dj j)
+    and far = Expansion.mul (far q j) (speed di i) in
     let near = if di > 0. then near else Expansion.neg near
     and far = if dj > 0. then far else Expansion.neg far in
     not_above near far (size di - size dj)
 
 (* [near] and [far] are where the ray enters slab [i] and leaves slab [j], and
    near <= far + slack. *)
-let[@inline] ordered b o d i j ~near ~far ~slack =
-  near < far -. slack || in_order b o d i j
+let[@inline] ordered b ray i j ~near ~far ~slack =
+  near < far -. slack || in_order b ray i j
 
 let[@inline] entered axis (d : Vec.t) =
   Contact.v ~part:((2 * axis) + if Vec.get d axis > 0. then 0 else 1) Outside
@@ -88,10 +109,25 @@ let[@inline] entered axis (d : Vec.t) =
 let[@inline] left_by axis (d : Vec.t) =
   Contact.v ~part:((2 * axis) + if Vec.get d axis > 0. then 1 else 0) Inside
 
-let meet_freely (b : Bounds.t) (o : Point.t) (d : Vec.t) ~inside cursor =
-  let nx = enter b.x0 b.x1 o.x d.x and fx = leave b.x0 b.x1 o.x d.x in
-  let ny = enter b.y0 b.y1 o.y d.y and fy = leave b.y0 b.y1 o.y d.y in
-  let nz = enter b.z0 b.z1 o.z d.z and fz = leave b.z0 b.z1 o.z d.z in
+(* The times of a ray that is a sum of doubles are off by 2^-105 of what its
+   origin takes to come from zero. *)
+let[@inline] blur o d = if d = 0. then 0. else Float.abs (o /. d)
+
+(* A ray that leaves an edge inwards from one face and outwards from the other
+   meets that other one with the first step it takes. *)
+let at_once (b : Bounds.t) d =
+  let extent = Vec.largest (Point.sub (Bounds.high b) (Bounds.low b)) in
+  0x1p-60 *. extent /. Vec.largest d
+
+let meet_freely (b : Bounds.t) (ray : Object_ray.t) ~inside cursor =
+  let o = ray.origin and d = ray.direction in
+  let o' = ray.origin_low and d' = ray.direction_low in
+  let nx = enter b.x0 b.x1 o.x o'.x d.x d'.x
+  and fx = leave b.x0 b.x1 o.x o'.x d.x d'.x in
+  let ny = enter b.y0 b.y1 o.y o'.y d.y d'.y
+  and fy = leave b.y0 b.y1 o.y o'.y d.y d'.y in
+  let nz = enter b.z0 b.z1 o.z o'.z d.z d'.z
+  and fz = leave b.z0 b.z1 o.z o'.z d.z d'.z in
   let near = if ny > nx then ny else nx in
   let near = if nz > near then nz else near in
   let far = if fy < fx then fy else fx in
@@ -99,17 +135,25 @@ let meet_freely (b : Bounds.t) (o : Point.t) (d : Vec.t) ~inside cursor =
   (* Each end is within 1.5 ulp, so only a near tie needs the exact test; below
      the normal numbers an ulp is 2^-1074. *)
   let slack = (0x1p-50 *. Float.abs near) +. 0x1p-1072 in
+  let slack =
+    if ray.exact then slack
+    else slack +. (0x1p-100 *. (blur o.x d.x +. blur o.y d.y +. blur o.z d.z))
+  in
   if not (near < infinity && near <= far +. slack) then Contact.none
   else if
     not
       (near < far -. slack
-      || ordered b o d 0 1 ~near:nx ~far:fy ~slack
-         && ordered b o d 0 2 ~near:nx ~far:fz ~slack
-         && ordered b o d 1 0 ~near:ny ~far:fx ~slack
-         && ordered b o d 1 2 ~near:ny ~far:fz ~slack
-         && ordered b o d 2 0 ~near:nz ~far:fx ~slack
-         && ordered b o d 2 1 ~near:nz ~far:fy ~slack)
+      || (Cursor.careful cursor;
+          ordered b ray 0 1 ~near:nx ~far:fy ~slack)
+         && ordered b ray 0 2 ~near:nx ~far:fz ~slack
+         && ordered b ray 1 0 ~near:ny ~far:fx ~slack
+         && ordered b ray 1 2 ~near:ny ~far:fz ~slack
+         && ordered b ray 2 0 ~near:nz ~far:fx ~slack
+         && ordered b ray 2 1 ~near:nz ~far:fy ~slack)
   then Contact.none
+  else if inside && far <= 0. then
+    let axis = if fx = far then 0 else if fy = far then 1 else 2 in
+    Cursor.take cursor (at_once b d) (left_by axis d)
   else if near > 0. && not inside then
     let axis = if nx = near then 0 else if ny = near then 1 else 2 in
     Cursor.take cursor near (entered axis d)
@@ -117,14 +161,14 @@ let meet_freely (b : Bounds.t) (o : Point.t) (d : Vec.t) ~inside cursor =
     let axis = if fx = far then 0 else if fy = far then 1 else 2 in
     Cursor.take cursor far (left_by axis d)
 
-let meet b o d left cursor =
-  if Contact.is_none left then meet_freely b o d ~inside:false cursor
+let meet b ray left cursor =
+  if Contact.is_none left then meet_freely b ray ~inside:false cursor
   else
     match Contact.side left with
     | Outside -> Contact.none
-    | Inside -> meet_freely b o d ~inside:true cursor
+    | Inside -> meet_freely b ray ~inside:true cursor
 
-let locate (b : Bounds.t) o d t contact =
+let locate (b : Bounds.t) (ray : Object_ray.t) t contact =
   let part = Contact.part contact in
   let axis = part / 2 and high = part land 1 = 1 in
   let low_end, high_end = ends b axis in
@@ -134,7 +178,7 @@ let locate (b : Bounds.t) o d t contact =
     let lo, hi = ends b i in
     if i = axis then face else if p < lo then lo else if p > hi then hi else p
   in
-  let { Point.x; y; z } = Point.along o d t in
+  let { Point.x; y; z } = Point.along ray.origin ray.direction t in
   let point = Point.v (on 0 x) (on 1 y) (on 2 z) in
   let outward = if axis = 0 then Dir.x else if axis = 1 then Dir.y else Dir.z in
   let across i =

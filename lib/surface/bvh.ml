@@ -44,11 +44,16 @@ let make ~bounds items =
 
 (* {1 Visiting} *)
 
-(* The ray, with the reciprocals that the slab test multiplies by. *)
+(* The ray, with the reciprocals that the slab test multiplies by. Where its
+   origin is known by a double and a rest, near ends are seen from as far on as
+   the rest may reach, far ends from as far back. *)
 type probe = {
-  ox : float;
-  oy : float;
-  oz : float;
+  near_ox : float;
+  near_oy : float;
+  near_oz : float;
+  far_ox : float;
+  far_oy : float;
+  far_oz : float;
   ix : float;
   iy : float;
   iz : float;
@@ -88,21 +93,21 @@ let[@inline] reciprocal d =
 let[@inline] meets w n =
   let b = w.boxes and p = w.probe in
   let n = 6 * n in
-  let near = (Float.Array.unsafe_get b (n + w.near_x) -. p.ox) *. p.ix
+  let near = (Float.Array.unsafe_get b (n + w.near_x) -. p.near_ox) *. p.ix
   and far =
-    (Float.Array.unsafe_get b (n + (w.near_x lxor 1)) -. p.ox) *. p.ix
+    (Float.Array.unsafe_get b (n + (w.near_x lxor 1)) -. p.far_ox) *. p.ix
   in
   let t0 = if near > 0. then near else 0.
   and t1 = if far < w.cursor.t then far else w.cursor.t in
-  let near = (Float.Array.unsafe_get b (n + w.near_y) -. p.oy) *. p.iy
+  let near = (Float.Array.unsafe_get b (n + w.near_y) -. p.near_oy) *. p.iy
   and far =
-    (Float.Array.unsafe_get b (n + (w.near_y lxor 1)) -. p.oy) *. p.iy
+    (Float.Array.unsafe_get b (n + (w.near_y lxor 1)) -. p.far_oy) *. p.iy
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
-  let near = (Float.Array.unsafe_get b (n + w.near_z) -. p.oz) *. p.iz
+  let near = (Float.Array.unsafe_get b (n + w.near_z) -. p.near_oz) *. p.iz
   and far =
-    (Float.Array.unsafe_get b (n + (w.near_z lxor 1)) -. p.oz) *. p.iz
+    (Float.Array.unsafe_get b (n + (w.near_z lxor 1)) -. p.far_oz) *. p.iz
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
@@ -131,8 +136,30 @@ let rec visit_node w n =
     visit_node w (Tree.high_child link) || visit_node w (n + 1)
   else visit_node w (n + 1) || visit_node w (Tree.high_child link)
 
-let visit h (o : Point.t) (d : Vec.t) cursor context test =
+let probe (ray : Object_ray.t) =
+  let o = ray.origin and d = ray.direction in
   let ix = reciprocal d.x and iy = reciprocal d.y and iz = reciprocal d.z in
+  let rest o i =
+    if ray.exact then 0.
+    else
+      let e = 0x1p-51 *. Float.abs o in
+      if i >= 0. then e else -.e
+  in
+  let ex = rest o.x ix and ey = rest o.y iy and ez = rest o.z iz in
+  {
+    near_ox = o.x +. ex;
+    near_oy = o.y +. ey;
+    near_oz = o.z +. ez;
+    far_ox = o.x -. ex;
+    far_oy = o.y -. ey;
+    far_oz = o.z -. ez;
+    ix;
+    iy;
+    iz;
+  }
+
+let visit h ray cursor context test =
+  let probe = probe ray in
   let end_of i = if i >= 0. then 0 else 1 in
   let w =
     {
@@ -140,10 +167,10 @@ let visit h (o : Point.t) (d : Vec.t) cursor context test =
       links = h.tree.links;
       items = h.items;
       index = h.index;
-      probe = { ox = o.x; oy = o.y; oz = o.z; ix; iy; iz };
-      near_x = end_of ix;
-      near_y = 2 + end_of iy;
-      near_z = 4 + end_of iz;
+      probe;
+      near_x = end_of probe.ix;
+      near_y = 2 + end_of probe.iy;
+      near_z = 4 + end_of probe.iz;
       cursor;
       context;
       test;

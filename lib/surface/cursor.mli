@@ -1,10 +1,23 @@
-(** How far a query still has to look: the one mutable value of an intersection
-    query. It is born and dies inside the query, so nobody can observe it. *)
+(** How far a query still has to look, and what it has done: the one mutable
+    value of an intersection query. It is born and dies inside the query, so
+    nobody can observe it. *)
 
-type t = { mutable t : float }
-(** Hits at 0 < t' ≤ [t] are of interest; a kernel that finds one moves [t]
-    there. *)
+type t = private {
+  mutable t : float;  (** hits at least < t' ≤ [t] are of interest *)
+  least : float;  (** 0; more for the textbook's formulas *)
+  mutable tests : float;  (** how many surfaces were tested *)
+  mutable careful : float;  (** in how many tests plain doubles did not do *)
+}
+
+val v : ?least:float -> float -> t
+(** [v limit] is a cursor at [limit], with [least] 0 unless given. *)
 
 val take : t -> float -> Contact.t -> Contact.t
-(** [take cursor t contact] is [contact], with [cursor] moved to [t], if 0 < t ≤
-    cursor.t and [t] is finite; else {!Contact.none}. *)
+(** [take cursor t contact] is [contact], with [cursor] moved to [t], if
+    cursor.least < t ≤ cursor.t and [t] is finite; else {!Contact.none}. *)
+
+val tested : t -> unit
+(** [tested cursor] counts a test. *)
+
+val careful : t -> unit
+(** [careful cursor] counts a test that needed more than plain doubles. *)

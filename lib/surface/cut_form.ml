@@ -12,27 +12,28 @@ let make form ~cuts ~disks = { form; linear = Form.is_linear form; cuts; disks }
 
 (* {1 Cutting} *)
 
-let exact_equation q o d =
-  let f = Unrounded.diff o (Form.center q.form) in
-  Form.along_exactly q.form f (Unrounded.vec d)
+let exact_equation q ray =
+  Form.along_exactly q.form
+    (Object_ray.from ray (Form.center q.form))
+    (Object_ray.toward ray)
 
 (* What t is a root of: F along the ray, or the plane of one of the cuts. *)
 type solved = Of_form of { falling : bool } | Of_cut of int
 
-let within_cuts q o d t solved ~except =
+let within_cuts q ray t solved ~except =
   let inside i h =
     i = except
     ||
-    match Half_space.verdict h o d t with
+    match Half_space.verdict h ray t with
     | Half_space.In -> true
     | Out -> false
     | Unsure -> (
-        let cut = Half_space.along h o d in
+        let cut = Half_space.along h ray in
         match solved with
         | Of_form { falling } ->
-            Root.is_within (exact_equation q o d) ~falling cut
+            Root.is_within (exact_equation q ray) ~falling cut
         | Of_cut k ->
-            let v, w = Half_space.along q.cuts.(k) o d in
+            let v, w = Half_space.along q.cuts.(k) ray in
             let v', w' = cut in
             let open Expansion in
             (* v' + t w' <= 0 where t = -v/w *)
@@ -48,10 +49,10 @@ let within_cuts q o d t solved ~except =
 let contact_of_root b root =
   Contact.v ~part:0 (if Root.falls ~b root then Side.Outside else Inside)
 
-let consider q o d t b root cursor =
+let consider q ray t b root cursor =
   if
     t > 0. && t <= cursor.Cursor.t
-    && within_cuts q o d t
+    && within_cuts q ray t
          (Of_form { falling = Root.falls ~b root })
          ~except:(-1)
   then Cursor.take cursor t (contact_of_root b root)
@@ -59,76 +60,146 @@ let consider q o d t b root cursor =
 
 let[@inline] later earlier last = if Contact.is_none last then earlier else last
 
-let consider_both q o d ~first ~second b cursor =
-  let earlier = consider q o d first b Root.First cursor in
-  later earlier (consider q o d second b Root.Second cursor)
+let from_center q (ray : Object_ray.t) =
+  let o = ray.origin and center = Form.center q.form in
+  let y = Point.sub o center in
+  (y, Vec.add (Unrounded.diff_error o center y) ray.origin_low)
 
-(* dAd, exactly, rounded to a double-double: along a generator it cancels to
-   less than double-double leaves of it. *)
-let exact_bend f (d : Double_double.vec) =
+(* y + y' + t (d + d') *)
+let further (y : Vec.t) (y' : Vec.t) t (d : Vec.t) (d' : Vec.t) =
+  let open Error_free in
+  let part y y' d d' =
+    let m = t *. d in
+    let s = y +. m in
+    two_sum s (sum_error y m s +. product_error t d m +. (y' +. (t *. d')))
+  in
+  let x = part y.x y'.x d.x d'.x
+  and y = part y.y y'.y d.y d'.y
+  and z = part y.z y'.z d.z d'.z in
+  (Vec.v x.hi y.hi z.hi, Vec.v x.lo y.lo z.lo)
+
+let consider_both q ray ~first ~second b cursor =
+  let earlier = consider q ray first b Root.First cursor in
+  later earlier (consider q ray second b Root.Second cursor)
+
+(* The roots by a, b and c taken anew with fused products, which lose half as much;
+   for the few rays that hit. *)
+let consider_sharply q (ray : Object_ray.t) ~a ~root cursor =
+  let f = q.form and fma = Float.fma in
+  let o = ray.origin and o' = ray.origin_low in
+  let d = ray.direction and d' = ray.direction_low in
+  let x = o.x -. f.cx and y = o.y -. f.cy and z = o.z -. f.cz in
+  let x' = Error_free.sum_error o.x (-.f.cx) x +. o'.x
+  and y' = Error_free.sum_error o.y (-.f.cy) y +. o'.y
+  and z' = Error_free.sum_error o.z (-.f.cz) z +. o'.z in
+  (* A y + g *)
+  let u = fma f.axx x (fma f.axy y (fma f.axz z f.gx))
+  and v = fma f.axy x (fma f.ayy y (fma f.ayz z f.gy))
+  and w = fma f.axz x (fma f.ayz y (fma f.azz z f.gz)) in
+  let b =
+    fma u d.x (fma v d.y (fma w d.z (Error_free.dot u v w d'.x d'.y d'.z)))
+  and c =
+    fma x (u +. f.gx)
+      (fma y (v +. f.gy)
+         (fma z (w +. f.gz) (f.k +. (2. *. Error_free.dot u v w x' y' z'))))
+  in
+  let r = if b >= 0. then -.(b +. root) else root -. b in
+  let earlier = consider q ray (c /. r) b Root.First cursor in
+  let second = r /. a in
+  if second > 0. && second <= cursor.Cursor.t *. (1. +. 0x1p-48) then
+    let second = r /. (Form.bend f d d').hi in
+    later earlier (consider q ray second b Root.Second cursor)
+  else earlier
+
+(* dAd, exactly, rounded to a sum of two doubles: along a generator it cancels
+   to less than twice the precision leaves of it. *)
+let exact_bend f ray =
   let zero = Expansion.of_float 0. in
-  let d = Unrounded.vec (Vec.v d.x.hi d.y.hi d.z.hi) in
-  let a, _, _ = Form.along_exactly f { x = zero; y = zero; z = zero } d in
+  let a, _, _ =
+    Form.along_exactly f
+      { x = zero; y = zero; z = zero }
+      (Object_ray.toward ray)
+  in
   let hi = Expansion.to_float a in
   let rest = Expansion.(sub a (of_float hi)) in
   { Error_free.hi; lo = Expansion.to_float rest }
 
-let bend f unit (a : Double_double.t) =
-  if a.hi = 0. || Float.abs a.hi > 0x1p-45 *. f.Form.a_size then a
-  else exact_bend f unit
+let bend f (ray : Object_ray.t) =
+  let d = ray.direction in
+  let a = Form.bend f d ray.direction_low in
+  if a.hi = 0. || Float.abs a.hi > 0x1p-45 *. f.Form.a_size *. Vec.dot d d then
+    a
+  else exact_bend f ray
 
-(* The second tier: everything in double-double, the discriminant at the point
-   of the line nearest to the centre. *)
-let meet_carefully q (o : Point.t) (d : Vec.t) cursor =
-  let open Double_double in
-  let unit, e = Unrounded.pair_near_one d in
-  let back t = Float.ldexp (to_float t) (-e) in
-  let f = Unrounded.pair_diff o (Form.center q.form) in
-  let { Form.a; b; c } = Form.along q.form f unit in
-  let a = bend q.form unit a in
+(* b^2 - a c, each a sum of two doubles. *)
+let discriminant (a : Error_free.t) (b : Error_free.t) (c : Error_free.t) =
+  Error_free.difference_of_products b.hi b.hi a.hi c.hi
+  +. ((2. *. b.hi *. b.lo) -. ((a.hi *. c.lo) +. (a.lo *. c.hi)))
+
+(* The direction brought near 1 by a power of two, which is then taken out of
+   t. *)
+let scaled (ray : Object_ray.t) =
+  let _, e = Float.frexp (Vec.largest ray.direction) in
+  (Object_ray.ldexp ~length:0 ~time:(-e) ray, fun t -> Float.ldexp t (-e))
+
+(* The third tier: everything in twice the precision, the discriminant at the
+   point of the line nearest to the centre. *)
+let meet_carefully q ray cursor =
+  Cursor.careful cursor;
+  let near, back = scaled ray in
+  let d = near.direction and d' = near.direction_low in
+  let y, y' = from_center q near in
+  let a = bend q.form near in
+  let b = Form.rise q.form y y' d d' and c = Form.value q.form y y' in
   if a.hi = 0. then
     if b.hi = 0. then Contact.none
-    else
-      let t = back (div (neg c) (add b b)) in
-      consider q o d t b.hi First cursor
+    else consider q ray (back (-.c.hi /. (2. *. b.hi))) b.hi First cursor
   else
-    let closest = -.((dot f unit).hi /. (dot unit unit).hi) in
-    let at = Form.along q.form (Double_double.along f closest unit) unit in
-    let disc = sub (mul at.b at.b) (mul a at.c) in
-    if not (disc.hi >= 0.) then Contact.none
+    let closest = -.Vec.dot y d /. Vec.dot d d in
+    let p, p' = further y y' closest d d' in
+    let disc =
+      discriminant a (Form.rise q.form p p' d d') (Form.value q.form p p')
+    in
+    if not (disc >= 0.) then Contact.none
     else
       let root = sqrt disc in
-      let r = if b.hi >= 0. then neg (add b root) else sub root b in
-      let first = if r.hi = 0. then 0. else back (div c r) in
-      consider_both q o d ~first ~second:(back (div r a)) b.hi cursor
+      let r = if b.hi >= 0. then -.(b.hi +. root) else root -. b.hi in
+      let first = if r = 0. then 0. else back (c.hi /. r) in
+      consider_both q ray ~first ~second:(back (r /. a.hi)) b.hi cursor
 
-let meet_linear q (o : Point.t) (d : Vec.t) cursor =
-  let f = q.form in
+let meet_linear q (ray : Object_ray.t) cursor =
+  let f = q.form and o = ray.origin and d = ray.direction in
   let abs = Float.abs in
   let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
   let bx = f.gx *. d.x and by = f.gy *. d.y and bz = f.gz *. d.z in
   let cx = f.gx *. fx and cy = f.gy *. fy and cz = f.gz *. fz in
-  let b = bx +. by +. bz in
-  let c = (2. *. (cx +. cy +. cz)) +. f.k in
+  let slope = Form.slope f in
+  let b = bx +. by +. bz +. Vec.dot slope ray.direction_low in
+  let c = (2. *. (cx +. cy +. cz +. Vec.dot slope ray.origin_low)) +. f.k in
   let b_size = abs bx +. abs by +. abs bz in
   let c_size = (2. *. (abs cx +. abs cy +. abs cz)) +. abs f.k in
   if b_size <= 2. *. abs b && c_size <= 2. *. abs c && b_size > 0x1p-900 then
     let t = -.c /. (2. *. b) in
-    if t > 0. && t <= cursor.Cursor.t then consider q o d t b Root.First cursor
+    if t > 0. && t <= cursor.Cursor.t then consider q ray t b Root.First cursor
     else Contact.none
-  else meet_carefully q o d cursor
+  else meet_carefully q ray cursor
 
-(* The first tier: plain doubles, with bounds on their errors in units of u from
+(* The second tier: plain doubles, with bounds on their errors in units of u from
    the same products of absolute values (names with a prime). Roots come from the
-   ray's origin, the discriminant from p, the point of the line where F has its
-   extremum: there it hardly cancels. A number x is accepted when it is known
-   within 2^5 u of x (the discriminant, of which the root is taken, 2^6 u), a miss
-   when the discriminant is below its error. *)
-let meet_curved q (o : Point.t) (d : Vec.t) cursor =
+   ray's origin f + l, the discriminant from p, the point of the line where F has
+   its extremum: there it hardly cancels. A number is accepted when its error
+   is at most 2^5 u of it (that of the discriminant's root, of the sum it goes
+   into), a miss when the discriminant is below its error. *)
+let meet_recentred q (ray : Object_ray.t) cursor =
   let open Error_free in
   let f = q.form and abs = Float.abs in
+  let o = ray.origin and d = ray.direction in
+  let o' = ray.origin_low and d' = ray.direction_low in
   let dx = d.x and dy = d.y and dz = d.z in
   let fx = o.x -. f.cx and fy = o.y -. f.cy and fz = o.z -. f.cz in
+  let lx = sum_error o.x (-.f.cx) fx +. o'.x
+  and ly = sum_error o.y (-.f.cy) fy +. o'.y
+  and lz = sum_error o.z (-.f.cz) fz +. o'.z in
   (* A d and A f + g *)
   let ux = dot f.axx f.axy f.axz dx dy dz
   and uy = dot f.axy f.ayy f.ayz dx dy dz
@@ -136,29 +207,51 @@ let meet_curved q (o : Point.t) (d : Vec.t) cursor =
   let wx = dot f.axx f.axy f.axz fx fy fz +. f.gx
   and wy = dot f.axy f.ayy f.ayz fx fy fz +. f.gy
   and wz = dot f.axz f.ayz f.azz fx fy fz +. f.gz in
-  let a = dot ux uy uz dx dy dz in
-  let b = dot wx wy wz dx dy dz in
-  let c = dot wx wy wz fx fy fz +. dot f.gx f.gy f.gz fx fy fz +. f.k in
+  let a = dot ux uy uz dx dy dz +. (2. *. dot ux uy uz d'.x d'.y d'.z) in
+  let sizes =
+    let dx = abs dx and dy = abs dy and dz = abs dz in
+    dot
+      (dot (abs f.axx) (abs f.axy) (abs f.axz) dx dy dz)
+      (dot (abs f.axy) (abs f.ayy) (abs f.ayz) dx dy dz)
+      (dot (abs f.axz) (abs f.ayz) (abs f.azz) dx dy dz)
+      dx dy dz
+  in
+  (* Along a cone or a saddle a cancels for every ray of that direction. *)
+  let cancels = sizes > 4. *. abs a in
+  let a = if cancels then (Form.bend f d d').hi else a in
+  let a' =
+    if cancels then (4. *. abs a) +. (0x1p-40 *. sizes) else 8. *. sizes
+  in
+  let b =
+    dot wx wy wz dx dy dz
+    +. (dot ux uy uz lx ly lz +. dot wx wy wz d'.x d'.y d'.z)
+  in
+  let c =
+    dot wx wy wz fx fy fz
+    +. dot f.gx f.gy f.gz fx fy fz
+    +. f.k
+    +. (2. *. dot wx wy wz lx ly lz)
+  in
   let t = -.b /. a in
-  let px = Float.fma t dx fx
-  and py = Float.fma t dy fy
-  and pz = Float.fma t dz fz in
+  let mx = lx +. (t *. d'.x)
+  and my = ly +. (t *. d'.y)
+  and mz = lz +. (t *. d'.z) in
+  let px = Float.fma t dx fx +. mx
+  and py = Float.fma t dy fy +. my
+  and pz = Float.fma t dz fz +. mz in
   let vx = dot f.axx f.axy f.axz px py pz +. f.gx
   and vy = dot f.axy f.ayy f.ayz px py pz +. f.gy
   and vz = dot f.axz f.ayz f.azz px py pz +. f.gz in
-  let bp = dot vx vy vz dx dy dz in
+  let bp = dot vx vy vz dx dy dz +. dot vx vy vz d'.x d'.y d'.z in
   let cp = dot vx vy vz px py pz +. dot f.gx f.gy f.gz px py pz +. f.k in
   let disc = difference_of_products bp bp a cp in
-  (* What rounding f has lost, in units of u. *)
-  let lx = 0x1p53 *. abs (sum_error o.x (-.f.cx) fx)
-  and ly = 0x1p53 *. abs (sum_error o.y (-.f.cy) fy)
-  and lz = 0x1p53 *. abs (sum_error o.z (-.f.cz) fz) in
   let dx = abs dx and dy = abs dy and dz = abs dz in
-  let fx = abs fx and fy = abs fy and fz = abs fz in
-  (* As large as p can be, f being rounded. *)
-  let px = abs px +. (0x1p-53 *. lx)
-  and py = abs py +. (0x1p-53 *. ly)
-  and pz = abs pz +. (0x1p-53 *. lz) in
+  let fx = abs fx +. abs lx
+  and fy = abs fy +. abs ly
+  and fz = abs fz +. abs lz in
+  let px = abs px +. abs mx
+  and py = abs py +. abs my
+  and pz = abs pz +. abs mz in
   let axx = abs f.axx and ayy = abs f.ayy and azz = abs f.azz in
   let axy = abs f.axy and axz = abs f.axz and ayz = abs f.ayz in
   let gx = abs f.gx and gy = abs f.gy and gz = abs f.gz and k = abs f.k in
@@ -169,11 +262,8 @@ let meet_curved q (o : Point.t) (d : Vec.t) cursor =
   and vy = dot axy ayy ayz px py pz +. (2. *. gy)
   and vz = dot axz ayz azz px py pz +. (2. *. gz) in
   let gd = dot gx gy gz dx dy dz in
-  let a' = 8. *. dot ux uy uz dx dy dz in
-  let bp' = (10. *. (dot ux uy uz px py pz +. gd)) +. dot ux uy uz lx ly lz in
-  let cp' =
-    (12. *. (dot vx vy vz px py pz +. k)) +. (2. *. dot vx vy vz lx ly lz)
-  in
+  let bp' = 12. *. (dot ux uy uz px py pz +. gd) in
+  let cp' = 16. *. (dot vx vy vz px py pz +. k) in
   let disc' =
     (2. *. abs bp *. bp')
     +. (abs a *. cp')
@@ -182,106 +272,177 @@ let meet_curved q (o : Point.t) (d : Vec.t) cursor =
     +. (0x1p-52 *. ((bp' *. bp') +. (a' *. cp')))
   in
   if not (disc' > 0x1p-800 && disc' < 0x1p900 && a' <= 0x1p5 *. abs a) then
-    meet_carefully q o d cursor
+    meet_carefully q ray cursor
   else if disc < -0x1p-52 *. disc' then Contact.none
   else
     let wx = dot axx axy axz fx fy fz +. (2. *. gx)
     and wy = dot axy ayy ayz fx fy fz +. (2. *. gy)
     and wz = dot axz ayz azz fx fy fz +. (2. *. gz) in
     let b' = 12. *. (dot ux uy uz fx fy fz +. gd) in
-    let c' =
-      (12. *. (dot wx wy wz fx fy fz +. k)) +. (2. *. dot wx wy wz lx ly lz)
-    in
+    let c' = 14. *. (dot wx wy wz fx fy fz +. k) in
     let root = sqrt disc in
     let r = if b >= 0. then -.(b +. root) else root -. b in
     if
-      disc' <= 0x1p6 *. disc
+      disc' <= 0x1p6 *. root *. abs r
       && c' <= 0x1p5 *. abs c
       && b' <= 0x1p5 *. abs r
       && abs b > 0x1p-50 *. b'
-    then consider_both q o d ~first:(c /. r) ~second:(r /. a) b cursor
-    else meet_carefully q o d cursor
+    then consider_sharply q ray ~a ~root cursor
+    else meet_carefully q ray cursor
 
-let meet_surface q o d cursor =
-  if q.linear then meet_linear q o d cursor else meet_curved q o d cursor
+(* The first tier: the school formula, with coarse bounds on its errors in units
+   of u from the sizes of A, g, d and y (names with a prime). It decides most of
+   what is clearly missed, and most of what is met from nearby. *)
+let meet_curved q (ray : Object_ray.t) cursor =
+  let open Error_free in
+  let f = q.form and abs = Float.abs in
+  let o = ray.origin and d = ray.direction in
+  let dx = d.x and dy = d.y and dz = d.z in
+  let x = o.x -. f.cx and y = o.y -. f.cy and z = o.z -. f.cz in
+  let ux = dot f.axx f.axy f.axz dx dy dz
+  and uy = dot f.axy f.ayy f.ayz dx dy dz
+  and uz = dot f.axz f.ayz f.azz dx dy dz in
+  let g = dot f.gx f.gy f.gz x y z in
+  let a = dot ux uy uz dx dy dz in
+  let b = dot ux uy uz x y z +. dot f.gx f.gy f.gz dx dy dz in
+  let c =
+    dot
+      (dot f.axx f.axy f.axz x y z)
+      (dot f.axy f.ayy f.ayz x y z)
+      (dot f.axz f.ayz f.azz x y z)
+      x y z
+    +. (2. *. g) +. f.k
+  in
+  let d2 = dot dx dy dz dx dy dz in
+  let far = sqrt (dot x y z x y z) in
+  let far =
+    if ray.exact then far else far +. (0x1p54 *. Vec.norm1 ray.origin_low)
+  in
+  let b' = 16. *. sqrt d2 *. ((f.a_size *. far) +. f.g_size) in
+  let c' =
+    20. *. ((((f.a_size *. far) +. (2. *. f.g_size)) *. far) +. abs f.k)
+  in
+  let a' = 10. *. f.a_size *. d2 in
+  let bb = b *. b and ac = a *. c in
+  let disc = bb -. ac in
+  let disc' =
+    (2. *. abs b *. b')
+    +. (abs a *. c')
+    +. (abs c *. a')
+    +. (4. *. (bb +. abs ac))
+  in
+  if not (disc' > 0x1p-800 && disc' < 0x1p900) then meet_carefully q ray cursor
+  else if disc < -0x1p-52 *. disc' then Contact.none
+  else
+    let root = sqrt disc in
+    let r = if b >= 0. then -.(b +. root) else root -. b in
+    if
+      disc' <= 0x1p5 *. root *. abs r
+      && c' <= 0x1p5 *. abs c
+      && b' <= 0x1p5 *. abs r
+      && a' <= 0x1p5 *. abs a
+      && abs b > 0x1p-50 *. b'
+    then consider_sharply q ray ~a ~root cursor
+    else meet_recentred q ray cursor
+
+let meet_surface q ray cursor =
+  if q.linear then meet_linear q ray cursor else meet_curved q ray cursor
 
 (* With the origin on the surface the equation is t (a t + 2 b) = 0. Leaving
    outwards F rises, so b > 0, and the other root is ahead only if a < 0. *)
-let meet_again_carefully q o d side cursor =
-  let unit, e = Unrounded.pair_near_one d in
-  let { Form.a; b; c = _ } =
-    Form.along q.form (Unrounded.pair_diff o (Form.center q.form)) unit
-  in
+let meet_again_carefully q ray side cursor =
+  Cursor.careful cursor;
+  let near, back = scaled ray in
+  let d = near.direction and d' = near.direction_low in
+  let y, y' = from_center q near in
+  let a = (bend q.form near).hi and b = (Form.rise q.form y y' d d').hi in
   let ahead =
     match (side : Side.t) with
-    | Outside -> b.hi > 0. && a.hi < 0.
-    | Inside -> b.hi < 0. && a.hi > 0.
+    | Outside -> b > 0. && a < 0.
+    | Inside -> b < 0. && a > 0.
   in
   if not ahead then Contact.none
-  else
-    let t = -2. *. Float.ldexp (b.hi /. a.hi) (-e) in
-    consider q o d t b.hi Second cursor
+  else consider q ray (back (-2. *. (b /. a))) b Second cursor
 
-(* Most often the sign of a alone tells that nothing is ahead. *)
-let meet_again q o (d : Vec.t) side cursor =
-  if q.linear then Contact.none
-  else
-    let f = q.form in
-    let d2 = Vec.dot d d in
-    let a = Vec.dot d (Form.gradient f d) -. Vec.dot d (Form.slope f) in
-    let doubt = 0x1p-49 *. ((f.a_size *. d2) +. (f.g_size *. sqrt d2)) in
-    let a = match (side : Side.t) with Outside -> a | Inside -> -.a in
-    if a > doubt then Contact.none else meet_again_carefully q o d side cursor
+(* Most often the sign of a alone tells that nothing is ahead, or a and b are
+   known well enough, in the sense of the second tier. *)
+let meet_again q (ray : Object_ray.t) side cursor =
+  let open Error_free in
+  let f = q.form and abs = Float.abs in
+  let o = ray.origin and d = ray.direction in
+  let dx = d.x and dy = d.y and dz = d.z in
+  let x = o.x -. f.cx and y = o.y -. f.cy and z = o.z -. f.cz in
+  let ux = dot f.axx f.axy f.axz dx dy dz
+  and uy = dot f.axy f.ayy f.ayz dx dy dz
+  and uz = dot f.axz f.ayz f.azz dx dy dz in
+  let a = dot ux uy uz dx dy dz in
+  let b = dot ux uy uz x y z +. dot f.gx f.gy f.gz dx dy dz in
+  let dx = abs dx and dy = abs dy and dz = abs dz in
+  let ux = dot (abs f.axx) (abs f.axy) (abs f.axz) dx dy dz
+  and uy = dot (abs f.axy) (abs f.ayy) (abs f.ayz) dx dy dz
+  and uz = dot (abs f.axz) (abs f.ayz) (abs f.azz) dx dy dz in
+  let a' = 10. *. dot ux uy uz dx dy dz
+  and b' =
+    16.
+    *. (dot ux uy uz (abs x) (abs y) (abs z)
+       +. dot (abs f.gx) (abs f.gy) (abs f.gz) dx dy dz)
+  in
+  let ahead = match (side : Side.t) with Outside -> -1. | Inside -> 1. in
+  let sure = a' > 0x1p-900 && b' > 0x1p-900 && a' < 0x1p900 && b' < 0x1p900 in
+  (* Then low parts count for no more than roundings. *)
+  let near = 0x1p52 *. Vec.norm1 ray.origin_low <= abs x +. abs y +. abs z in
+  if q.linear || (sure && ahead *. a < -0x1p-52 *. a') then Contact.none
+  else if sure && near && a' <= 0x1p5 *. abs a && b' <= 0x1p5 *. abs b then
+    if ahead *. b < 0. then consider q ray (-2. *. (b /. a)) b Second cursor
+    else Contact.none
+  else meet_again_carefully q ray side cursor
 
 (* Whether F <= 0 where the ray crosses the plane of a cut: by its double at the
    rounded point unless that could be rounding, else exactly. *)
-let on_disk q o d t cut =
-  let p = Point.along o d t in
+let on_disk q (ray : Object_ray.t) t cut =
+  let o = ray.origin and d = ray.direction in
   let f = q.form in
+  let p = Point.along o d t in
   let y = Point.sub p (Form.center f) in
   let g = Form.gradient f y in
   let value = Vec.dot g y +. Vec.dot (Form.slope f) y +. f.k in
-  let norm1 (v : Vec.t) = Float.abs v.x +. Float.abs v.y +. Float.abs v.z in
-  let reach = norm1 (Point.sub o (Form.center f)) +. (t *. norm1 d) in
+  let reach = Vec.norm1 (Point.sub o (Form.center f)) +. (t *. Vec.norm1 d) in
   (* y is off by 8 ulp of t d and the roundings of p and y. *)
   let slope = (f.a_size *. reach) +. f.g_size in
-  let doubt = 0x1p-46 *. ((slope *. reach) +. Float.abs f.k) in
+  let doubt =
+    (0x1p-46 *. ((slope *. reach) +. Float.abs f.k))
+    +. (4. *. slope *. Vec.norm1 ray.origin_low)
+  in
   if value < -.doubt then true
   else if value > doubt then false
   else
-    let a, b, c = exact_equation q o d in
-    let v, w = Half_space.along cut o d in
+    let a, b, c = exact_equation q ray in
+    let v, w = Half_space.along cut ray in
     let open Expansion in
     let ab = sub (mul a v) (mul b w) and bc = sub (mul b v) (mul c w) in
     (* w^2 F(-v/w) = v (a v - b w) - w (b v - c w) *)
     sign (sub (mul v ab) (mul w bc)) <= 0
 
-(* Where the ray crosses the plane of a cut, and how fast. *)
-let cut_distance h o d =
-  let unit, e = Unrounded.pair_near_one d in
-  let across = Double_double.dot (Half_space.normal h) unit in
-  let t = Double_double.(to_float (div (Half_space.depth h o) across)) in
-  (Float.ldexp t (-e), across.hi)
-
-let meet_disk q (o : Point.t) (d : Vec.t) end_ left cursor =
+let meet_disk q ray end_ left cursor =
   let h = q.cuts.(end_) in
   let part = end_ + 1 in
   if (not (Contact.is_none left)) && Contact.part left = part then Contact.none
   else
-    let t, across = cut_distance h o d in
+    let across = Half_space.speed h ray in
+    let t = Half_space.depth h ray /. across in
     if
-      t > 0. && t <= cursor.Cursor.t && on_disk q o d t h
-      && within_cuts q o d t (Of_cut end_) ~except:end_
+      t > 0. && t <= cursor.Cursor.t && on_disk q ray t h
+      && within_cuts q ray t (Of_cut end_) ~except:end_
     then
       Cursor.take cursor t
         (Contact.v ~part (if across < 0. then Outside else Inside))
     else Contact.none
 
-let meet q o d left cursor =
+let meet q ray left cursor =
   let found =
     if Contact.is_none left || Contact.part left <> 0 then
-      meet_surface q o d cursor
-    else meet_again q o d (Contact.side left) cursor
+      meet_surface q ray cursor
+    else meet_again q ray (Contact.side left) cursor
   in
-  let add found end_ = later found (meet_disk q o d end_ left cursor) in
+  let add found end_ = later found (meet_disk q ray end_ left cursor) in
   if Array.length q.disks = 0 then found else Array.fold_left add found q.disks

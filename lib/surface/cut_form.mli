@@ -15,7 +15,7 @@ type t = private {
 val make : Form.t -> cuts:Half_space.t array -> disks:int array -> t
 (** [make form ~cuts ~disks] is that set. *)
 
-val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
-(** [meet q o d left cursor] is the first contact of the ray from [o] along [d]
-    with [q] within [cursor], which moves there. Part 0 is the zero set, part
-    [i + 1] the disk of cut [i]; for the rest see {!Quadric.meet}. *)
+val meet : t -> Object_ray.t -> Contact.t -> Cursor.t -> Contact.t
+(** [meet q ray left cursor] is the first contact of [ray] with [q] within
+    [cursor], which moves there. Part 0 is the zero set, part [i + 1] the disk
+    of cut [i]; for the rest see {!Quadric.meet}. *)

@@ -144,24 +144,51 @@ let raw : Quadric_shape.t -> t = function
 let of_shape s = sized (raw s)
 let slope f = Vec.v f.gx f.gy f.gz
 
-let gradient f (y : Vec.t) =
+let[@inline] times f (y : Vec.t) =
   Vec.v
-    ((f.axx *. y.x) +. (f.axy *. y.y) +. (f.axz *. y.z) +. f.gx)
-    ((f.axy *. y.x) +. (f.ayy *. y.y) +. (f.ayz *. y.z) +. f.gy)
-    ((f.axz *. y.x) +. (f.ayz *. y.y) +. (f.azz *. y.z) +. f.gz)
+    ((f.axx *. y.x) +. (f.axy *. y.y) +. (f.axz *. y.z))
+    ((f.axy *. y.x) +. (f.ayy *. y.y) +. (f.ayz *. y.z))
+    ((f.axz *. y.x) +. (f.ayz *. y.y) +. (f.azz *. y.z))
 
-(* Every number as a sum of two doubles, the second in a variable of the same
+let gradient f y = Vec.add (times f y) (slope f)
+
+let gradient_size f (y : Vec.t) =
+  let abs = Float.abs in
+  let row a b c g =
+    (abs a *. abs y.x) +. (abs b *. abs y.y) +. (abs c *. abs y.z) +. abs g
+  in
+  Vec.v
+    (row f.axx f.axy f.axz f.gx)
+    (row f.axy f.ayy f.ayz f.gy)
+    (row f.axz f.ayz f.azz f.gz)
+
+(* {1 In twice the precision}
+
+   Every number is a sum of two doubles, the second in a variable of the same
    name with a prime; written out, since this is done for each hit. *)
-let value f (p : Point.t) =
+
+let bend f (d : Vec.t) (d' : Vec.t) =
   let open Error_free in
-  let x = p.x -. f.cx and y = p.y -. f.cy and z = p.z -. f.cz in
-  let x' = sum_error p.x (-.f.cx) x
-  and y' = sum_error p.y (-.f.cy) y
-  and z' = sum_error p.z (-.f.cz) z in
-  (* g.y *)
-  let g = dot f.gx f.gy f.gz x y z in
-  let g' = dot_error f.gx f.gy f.gz x y z g +. dot f.gx f.gy f.gz x' y' z' in
-  (* A y *)
+  let x = d.x and y = d.y and z = d.z in
+  let u = dot f.axx f.axy f.axz x y z
+  and v = dot f.axy f.ayy f.ayz x y z
+  and w = dot f.axz f.ayz f.azz x y z in
+  let u' = dot_error f.axx f.axy f.axz x y z u
+  and v' = dot_error f.axy f.ayy f.ayz x y z v
+  and w' = dot_error f.axz f.ayz f.azz x y z w in
+  let a = dot u v w x y z in
+  two_sum a
+    (dot_error u v w x y z a +. dot u' v' w' x y z
+    +. (2. *. dot u v w d'.x d'.y d'.z))
+
+let rise f (p : Vec.t) (p' : Vec.t) (d : Vec.t) (d' : Vec.t) =
+  let open Error_free in
+  let x = p.x and y = p.y and z = p.z in
+  let x' = p'.x and y' = p'.y and z' = p'.z in
+  let g = dot f.gx f.gy f.gz d.x d.y d.z in
+  let g' =
+    dot_error f.gx f.gy f.gz d.x d.y d.z g +. dot f.gx f.gy f.gz d'.x d'.y d'.z
+  in
   let u = dot f.axx f.axy f.axz x y z
   and v = dot f.axy f.ayy f.ayz x y z
   and w = dot f.axz f.ayz f.azz x y z in
@@ -170,41 +197,35 @@ let value f (p : Point.t) =
   and w' =
     dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z'
   in
-  (* y.A y *)
+  let q = dot u v w d.x d.y d.z in
+  let q' =
+    dot_error u v w d.x d.y d.z q
+    +. dot u' v' w' d.x d.y d.z +. dot u v w d'.x d'.y d'.z
+  in
+  let b = q +. g in
+  two_sum b (sum_error q g b +. (q' +. g'))
+
+let value f (p : Vec.t) (p' : Vec.t) =
+  let open Error_free in
+  let x = p.x and y = p.y and z = p.z in
+  let x' = p'.x and y' = p'.y and z' = p'.z in
+  let g = dot f.gx f.gy f.gz x y z in
+  let g' = dot_error f.gx f.gy f.gz x y z g +. dot f.gx f.gy f.gz x' y' z' in
+  let u = dot f.axx f.axy f.axz x y z
+  and v = dot f.axy f.ayy f.ayz x y z
+  and w = dot f.axz f.ayz f.azz x y z in
+  let u' = dot_error f.axx f.axy f.axz x y z u +. dot f.axx f.axy f.axz x' y' z'
+  and v' = dot_error f.axy f.ayy f.ayz x y z v +. dot f.axy f.ayy f.ayz x' y' z'
+  and w' =
+    dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z'
+  in
   let q = dot u v w x y z in
   let q' =
     dot_error u v w x y z q +. dot u' v' w' x y z +. dot u v w x' y' z'
   in
   let s = q +. (2. *. g) in
   let t = s +. f.k in
-  t +. (sum_error q (2. *. g) s +. sum_error s f.k t +. q' +. (2. *. g'))
-
-type quadratic = {
-  a : Double_double.t;
-  b : Double_double.t;
-  c : Double_double.t;
-}
-
-let along f p d =
-  let open Double_double in
-  let row a b c (v : vec) =
-    add (scale a v.x) (add (scale b v.y) (scale c v.z))
-  in
-  let times v =
-    {
-      x = row f.axx f.axy f.axz v;
-      y = row f.axy f.ayy f.ayz v;
-      z = row f.axz f.ayz f.azz v;
-    }
-  in
-  let g = { x = of_float f.gx; y = of_float f.gy; z = of_float f.gz } in
-  let ap = times p in
-  let gp = dot g p in
-  {
-    a = dot d (times d);
-    b = add (dot d ap) (dot g d);
-    c = add (add (dot p ap) (add gp gp)) (of_float f.k);
-  }
+  two_sum t (sum_error q (2. *. g) s +. sum_error s f.k t +. q' +. (2. *. g'))
 
 let along_exactly f p d =
   let open Expansion in

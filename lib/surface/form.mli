@@ -38,28 +38,35 @@ val center : t -> Point.t
 val slope : t -> Vec.t
 (** [slope f] is g, half the gradient at the centre. *)
 
+val times : t -> Vec.t -> Vec.t
+(** [times f y] is A·y. *)
+
 val gradient : t -> Vec.t -> Vec.t
 (** [gradient f y] is half the gradient at offset [y] from the centre. *)
 
-val value : t -> Point.t -> float
-(** [value f p] is F at [p], computed as if in twice the precision and rounded:
-    off by at most 2^-53 of itself and 2^-100 of the sum of its absolute terms.
-*)
+val gradient_size : t -> Vec.t -> Vec.t
+(** [gradient_size f y] is the sum of the absolute terms that each component of
+    {!gradient} adds up: its rounding error is at most 2^-50 of that. *)
 
-(** {1 Along a line}
+(** {1 In twice the precision}
+
+    Places and directions are sums v + v' of two vectors, the second below an
+    ulp of the first; results are off by at most 2^-100 of the sum of their
+    absolute terms. *)
+
+val value : t -> Vec.t -> Vec.t -> Error_free.t
+(** [value f y y'] is F at offset [y + y'] from the centre. *)
+
+val rise : t -> Vec.t -> Vec.t -> Vec.t -> Vec.t -> Error_free.t
+(** [rise f y y' d d'] is half the derivative of F there along [d + d']. *)
+
+val bend : t -> Vec.t -> Vec.t -> Error_free.t
+(** [bend f d d'] is (d + d')ᵀA(d + d'), half the second derivative. *)
+
+(** {1 Along a line, exactly}
 
     a·t² + 2b·t + c = F at offset p + t·d. *)
 
-type quadratic = {
-  a : Double_double.t;
-  b : Double_double.t;
-  c : Double_double.t;
-}
-
-val along : t -> Double_double.vec -> Double_double.vec -> quadratic
-(** [along f p d] is F on the line from offset [p] along [d], in double-double.
-*)
-
 val along_exactly :
   t -> Expansion.vec -> Expansion.vec -> Expansion.t * Expansion.t * Expansion.t
-(** [along_exactly f p d] is the same (a, b, c), exactly. *)
+(** [along_exactly f p d] is (a, b, c). *)

@@ -28,7 +28,8 @@ let of_bounds (b : Bounds.t) =
 
 type verdict = In | Out | Unsure
 
-let verdict h (o : Point.t) (d : Vec.t) t =
+let verdict h (ray : Object_ray.t) t =
+  let o = ray.origin and d = ray.direction in
   let part n p o d = n *. (o -. p +. (t *. d)) in
   let size n p o d =
     Float.abs n *. (Float.abs o +. Float.abs p +. Float.abs (t *. d))
@@ -46,16 +47,30 @@ let verdict h (o : Point.t) (d : Vec.t) t =
 let vec h = Vec.v h.nx h.ny h.nz
 let point h = Point.v h.px h.py h.pz
 
-let along h o d =
+let along h ray =
   let open Expansion in
   let n = Unrounded.vec (vec h) in
-  let from = Unrounded.diff o (point h) in
-  (sub (dot n from) (of_float h.c), dot n (Unrounded.vec d))
+  let from = Object_ray.from ray (point h) in
+  (sub (dot n from) (of_float h.c), dot n (Object_ray.toward ray))
 
-let normal h =
-  let open Double_double in
-  { x = of_float h.nx; y = of_float h.ny; z = of_float h.nz }
+(* As if in twice the precision. *)
+let speed h (ray : Object_ray.t) =
+  let open Error_free in
+  let d = ray.direction and d' = ray.direction_low in
+  let v = dot h.nx h.ny h.nz d.x d.y d.z in
+  v
+  +. (dot_error h.nx h.ny h.nz d.x d.y d.z v
+     +. dot h.nx h.ny h.nz d'.x d'.y d'.z)
 
-let depth h x =
-  let from = Unrounded.pair_diff x (point h) in
-  Double_double.(sub (of_float h.c) (dot (normal h) from))
+let depth h (ray : Object_ray.t) =
+  let open Error_free in
+  let o = ray.origin and o' = ray.origin_low in
+  let x = o.x -. h.px and y = o.y -. h.py and z = o.z -. h.pz in
+  let x' = sum_error o.x (-.h.px) x +. o'.x
+  and y' = sum_error o.y (-.h.py) y +. o'.y
+  and z' = sum_error o.z (-.h.pz) z +. o'.z in
+  let v = dot h.nx h.ny h.nz x y z in
+  let w = h.c -. v in
+  w
+  +. (sum_error h.c (-.v) w
+     -. (dot_error h.nx h.ny h.nz x y z v +. dot h.nx h.ny h.nz x' y' z'))

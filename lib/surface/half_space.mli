@@ -21,18 +21,19 @@ val of_bounds : Bounds.t -> t list
 
 type verdict = In | Out | Unsure
 
-val verdict : t -> Point.t -> Vec.t -> float -> verdict
-(** [verdict h o d t] says whether the point at [t] along the ray is in [h],
+val verdict : t -> Object_ray.t -> float -> verdict
+(** [verdict h ray t] says whether the point at [t] along the ray is in [h],
     when [t] is off by at most 128 ulp; [Unsure] where rounding could decide
     otherwise. *)
 
-val along : t -> Point.t -> Vec.t -> Expansion.t * Expansion.t
-(** [along h o d] is (v, w), exactly: the point at [t] is in [h] iff v + t·w ≤
+val along : t -> Object_ray.t -> Expansion.t * Expansion.t
+(** [along h ray] is (v, w), exactly: the point at [t] is in [h] iff v + t·w ≤
     0. *)
 
-val normal : t -> Double_double.vec
-(** [normal h] is n, which points out of [h] and need not have length 1. *)
+val speed : t -> Object_ray.t -> float
+(** [speed h ray] is n·d for the ray's direction d, as if in twice the
+    precision: positive on the way out. *)
 
-val depth : t -> Point.t -> Double_double.t
-(** [depth h x] is c − n·(x − p), in double-double: positive inside, in units of
-    n's length. *)
+val depth : t -> Object_ray.t -> float
+(** [depth h ray] is c − n·(x − p) for the ray's origin x, as if in twice the
+    precision: positive inside. *)

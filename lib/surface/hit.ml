@@ -14,9 +14,10 @@ type 'm t = {
   material : 'm;
 }
 
-(* A place on its way out of nested groups. *)
+(* A place on its way out of nested groups, at [at + rest]. *)
 type carried = {
   at : Point.t;
+  rest : Vec.t;
   error : Vec.t;
   outward : Dir.t;
   smooth : Dir.t option;
@@ -26,23 +27,23 @@ let carry place transform =
   let forward = Transform.forward transform
   and backward = Transform.backward transform in
   let turn n =
-    Dir.of_vec_or n (Affine.transposed backward (n : Dir.t :> Vec.t))
+    Dir.of_vec_or n (Affine.transposed backward.high (n : Dir.t :> Vec.t))
   in
-  let at = Affine.point forward place.at in
-  (* The ray that leaves will be taken back into the group, which rounds too. *)
-  let back = Affine.point_error backward at Vec.zero in
+  let at, rest = Wide_affine.point forward place.at place.rest in
   {
     at;
-    error = Affine.point_error forward place.at (Vec.add place.error back);
+    rest;
+    error = Wide_affine.point_error forward place.at place.error;
     outward = turn place.outward;
     smooth = Option.map turn place.smooth;
   }
 
-let v ~t contact (local : Local.t) ~groups ~path material =
+let v ~t ~math contact (local : Local.t) ~groups ~path material =
   let place =
     List.fold_left carry
       {
         at = local.point;
+        rest = Vec.zero;
         error = local.error;
         outward = local.normal;
         smooth = local.shading_normal;
@@ -57,7 +58,8 @@ let v ~t contact (local : Local.t) ~groups ~path material =
     | None -> normal
     | Some n -> if Dir.dot n normal < 0. then Dir.neg n else n
   in
-  let { Vec.x; y; z } = (normal :> Vec.t) and e = place.error in
+  let { Vec.x; y; z } = (normal :> Vec.t) in
+  let e = Vec.add (Vec.abs place.rest) place.error in
   {
     t;
     point = place.at;
@@ -67,7 +69,11 @@ let v ~t contact (local : Local.t) ~groups ~path material =
     path;
     part = Contact.part contact;
     uv = local.uv;
-    offset = (Float.abs x *. e.x) +. (Float.abs y *. e.y) +. (Float.abs z *. e.z);
+    offset =
+      (match (math : Math.t) with
+      | Stable ->
+          (Float.abs x *. e.x) +. (Float.abs y *. e.y) +. (Float.abs z *. e.z)
+      | Textbook -> 0.);
     local;
     material;
   }
@@ -85,12 +91,7 @@ let spawn h d =
   let k = if leaves_back then -.h.offset else h.offset in
   let side = if leaves_back then Side.opposite h.side else h.side in
   let { Point.x; y; z } = h.point in
-  {
-    Ray.origin =
-      Point.v
-        (outward (k *. n.x) x)
-        (outward (k *. n.y) y)
-        (outward (k *. n.z) z);
-    direction = d;
-    departure = Surface { path = h.path; part = h.part; side };
-  }
+  let origin =
+    Point.v (outward (k *. n.x) x) (outward (k *. n.y) y) (outward (k *. n.z) z)
+  in
+  Ray.leaving (Surface { path = h.path; part = h.part; side }) origin d

@@ -23,14 +23,16 @@ type 'm t = private {
 
 val v :
   t:float ->
+  math:Math.t ->
   Contact.t ->
   Local.t ->
   groups:Transform.t list ->
   path:int list ->
   'm ->
   'm t
-(** [v ~t contact local ~groups ~path m] is the hit at [local], carried out
-    through the transforms of the [groups] around it, innermost first. *)
+(** [v ~t ~math contact local ~groups ~path m] is the hit at [local], carried
+    out through the transforms of the [groups] around it, innermost first. The
+    textbook's hits have no [offset]. *)
 
 val spawn : 'm t -> Vec.t -> Ray.t
 (** [spawn h d] is the ray that leaves [h] along [d]. It remembers the surface,

@@ -15,8 +15,9 @@ type t = {
 let shape q = q.shape
 let clip q = q.clip
 let caps q = q.caps
+let body q = q.body
 let bounds q = q.bounds
-let meet q o d left cursor = Cut_form.meet q.body o d left cursor
+let meet q ray left cursor = Cut_form.meet q.body ray left cursor
 let written q = (q.shape, q.clip, q.caps)
 
 type written = Quadric_shape.t * Bounds.t option * bool
@@ -125,53 +126,90 @@ let rounding (p : Point.t) =
   let u x = 0x1p-52 *. Float.abs x in
   Vec.v (u p.x) (u p.y) (u p.z)
 
-(* From 2^60 times its size a surface is reached by halving the distance. *)
+(* Where t is not fine enough to say where on the surface a ray from far away
+   ends, the way from the point of the ray nearest to the centre is. That point
+   is found in two steps, the second for what the first has rounded. *)
+let from_closest form (ray : Object_ray.t) contact =
+  let o = ray.origin and d = ray.direction in
+  let center = Form.center form in
+  let f = Point.sub o center in
+  let lost = Vec.add (Unrounded.diff_error o center f) ray.origin_low in
+  let d2 = Vec.dot d d in
+  let y = Vec.add (Vec.along f d (-.Vec.dot f d /. d2)) lost in
+  let y = Vec.along y d (-.Vec.dot y d /. d2) in
+  let g = Form.gradient form y in
+  let a = Vec.dot d (Form.times form d)
+  and b = Vec.dot g d
+  and c = (Form.value form y Vec.zero).hi in
+  let root = sqrt (Float.max 0. ((b *. b) -. (a *. c))) in
+  let root =
+    match Contact.side contact with Outside -> -.root | Inside -> root
+  in
+  let t = if b *. root < 0. then (root -. b) /. a else c /. -.(b +. root) in
+  Point.add center (Vec.along y d t)
+
+(* From this many times its distance to the origin: there t is as coarse as the
+   root of a grazing ray's discriminant. *)
+let far = 0x1p26
+
+let near_hit form (ray : Object_ray.t) t contact =
+  let direct = Point.along ray.origin ray.direction t in
+  let size = Vec.largest (Point.sub direct Point.origin) in
+  let reach = t *. Vec.largest ray.direction in
+  if not (reach > far *. size) then direct
+  else
+    let p = from_closest form ray contact in
+    if Point.is_finite p then p else direct
+
 let most_steps = 64
 
-(* Newton steps along the gradient; what is left over after them, by the same
-   first-order formula, bounds the error. One step does, unless the ray comes
-   from so far that its own rounding is of the size of the surface. *)
-let locate_surface q o (d : Vec.t) t =
-  let center = Form.center q.body.form in
-  let first = Point.along o d t in
-  let slope p = Form.gradient q.body.form (Point.sub p center) in
-  let step p =
-    let g = slope p in
-    let k = Form.value q.body.form p /. (2. *. Vec.dot g g) in
-    if Float.is_finite k then Point.add p (Vec.scale (-.k) g) else p
+(* One Newton step from [p] along the gradient g: where to, g, and how far the
+   surface can still be, from the curvature that the step ignores and the
+   rounding of g. *)
+let step (form : Form.t) p =
+  let center = Form.center form in
+  let y = Point.sub p center in
+  let g = Form.gradient form y in
+  let f = (Form.value form y (Unrounded.diff_error p center y)).hi in
+  let g2 = Vec.dot g g in
+  let k = f /. (2. *. g2) in
+  let bend = Vec.dot g (Form.times form g) in
+  let doubt = 0x1p-48 *. Float.abs k *. Vec.norm1 (Form.gradient_size form y) in
+  let left_over = doubt +. (k *. k *. Float.abs bend /. sqrt g2) in
+  if Float.is_finite left_over then (Point.along p g (-.k), g, left_over)
+  else (p, g, 0.)
+
+(* One step does, but near an apex, towards which each step halves the distance;
+   as long as they come nearer. *)
+let rec settle form steps ((p, _, left_over) as settled) =
+  let size = Vec.largest (Point.sub p Point.origin) in
+  if steps = 0 || left_over <= 0x1p-54 *. size then settled
+  else
+    let ((_, _, less) as next) = step form p in
+    if less < 0.75 *. left_over then settle form (steps - 1) next else settled
+
+let locate_surface q (ray : Object_ray.t) t contact =
+  let form = q.body.form in
+  let point, g, left_over =
+    settle form most_steps (step form (near_hit form ray t contact))
   in
-  let rec settle steps before =
-    let p = step before in
-    let g = slope p in
-    let left_over =
-      Float.abs (Form.value q.body.form p) /. (2. *. Vec.norm g)
-    in
-    let size = Vec.largest (Point.sub p Point.origin) in
-    if steps = 1 || not (left_over > 0x1p-50 *. size) then (p, g, left_over)
-    else settle (steps - 1) p
-  in
-  let point, g, left_over = settle most_steps first in
-  let normal = Dir.of_vec_or (Dir.of_vec_or Dir.z (Vec.neg d)) g in
-  let n = (normal :> Vec.t) in
-  let spread n r =
-    let e = if Float.is_finite left_over then left_over else 0. in
-    (1.01 *. Float.abs n *. e) +. r
-  in
-  let r = rounding point in
+  let normal = Dir.of_vec_or (Dir.of_vec_or Dir.z (Vec.neg ray.direction)) g in
+  let n = (normal :> Vec.t) and r = rounding point in
+  let spread n r = (Float.abs n *. left_over) +. r in
   {
     Local.point;
     normal;
     error = Vec.v (spread n.x r.x) (spread n.y r.y) (spread n.z r.z);
     flat = q.body.linear;
-    uv = lazy (uv q point (Point.sub point center));
+    uv = lazy (uv q point (Point.sub point (Form.center form)));
     shading_normal = None;
   }
 
-let locate_disk q o d t end_ =
+let locate_disk q (ray : Object_ray.t) t end_ =
   let h = q.body.cuts.(end_) in
   let n = Vec.v h.nx h.ny h.nz in
-  let first = Point.along o d t in
-  let depth = (Half_space.depth h first).hi in
+  let first = Point.along ray.origin ray.direction t in
+  let depth = Half_space.depth h (Object_ray.v first ray.direction) in
   let move = Vec.scale (depth /. Vec.dot n n) n in
   let point = Point.add first move in
   let rounded = rounding (Point.add Point.origin move) in
@@ -184,7 +222,7 @@ let locate_disk q o d t end_ =
     shading_normal = None;
   }
 
-let locate q o d t contact =
+let locate q ray t contact =
   match Contact.part contact with
-  | 0 -> locate_surface q o d t
-  | part -> locate_disk q o d t (part - 1)
+  | 0 -> locate_surface q ray t contact
+  | part -> locate_disk q ray t (part - 1)

@@ -31,17 +31,22 @@ val pp : Format.formatter -> t -> unit
 val show : t -> string
 val compare : t -> t -> int
 
+val body : t -> Cut_form.t
+(** [body q] is the polynomial with its cuts. *)
+
 val bounds : t -> Bounds.t
 (** [bounds q] is a box that holds [q]; not finite where [q] is unbounded. *)
 
-val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
-(** [meet q o d left cursor] is the first contact of the ray from [o] along [d]
-    with [q] within [cursor], which moves there. Part 0 is the quadric itself,
-    parts 1 and 2 the caps at its second and first end. A ray that [left] part 0
-    has its root at 0 taken out of the equation; one that left a cap never meets
-    that cap again. A line that lies in the quadric does not meet it. *)
+val meet : t -> Object_ray.t -> Contact.t -> Cursor.t -> Contact.t
+(** [meet q ray left cursor] is the first contact of [ray] with [q] within
+    [cursor], which moves there. Part 0 is the quadric itself, parts 1 and 2 the
+    caps at its second and first end. A ray that [left] part 0 has its root at 0
+    taken out of the equation; one that left a cap never meets that cap again. A
+    line that lies in the quadric does not meet it. *)
 
-val locate : t -> Point.t -> Vec.t -> float -> Contact.t -> Local.t
-(** [locate q o d t contact] is the point of [q] at [t], moved onto it by one
-    Newton step along the gradient. Where the gradient vanishes (the apex of a
-    cone) the normal is the direction the ray came from. *)
+val locate : t -> Object_ray.t -> float -> Contact.t -> Local.t
+(** [locate q ray t contact] is the point of [q] at [t], moved onto it by Newton
+    steps along the gradient; found from the point of the ray nearest to the
+    centre where the doubles near [t] are too far apart. Where the gradient
+    vanishes (the apex of a cone) the normal is the direction the ray came from.
+*)

@@ -31,18 +31,45 @@ let[@inline] choose a h c s ~back cursor =
     else Cursor.take cursor (q /. a *. back) inside
   else Cursor.take cursor (c /. -.(h +. s) *. back) inside
 
+(* The power of the origin, f.f - r^2, in twice the precision: it is lost in the
+   rounding of the squares near the sphere. *)
+let[@inline] power s (ray : Object_ray.t) =
+  let open Error_free in
+  let o = ray.origin and o' = ray.origin_low in
+  let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
+  let lx = sum_error o.x (-.s.x) fx +. o'.x
+  and ly = sum_error o.y (-.s.y) fy +. o'.y
+  and lz = sum_error o.z (-.s.z) fz +. o'.z in
+  let r2 = s.radius *. s.radius in
+  let x2 = fx *. fx and y2 = fy *. fy and z2 = fz *. fz in
+  let c1 = x2 -. r2 in
+  let c2 = c1 +. y2 in
+  let c3 = c2 +. z2 in
+  c3
+  +. (sum_error x2 (-.r2) c1 +. sum_error c1 y2 c2 +. sum_error c2 z2 c3
+    +. product_error fx fx x2 +. product_error fy fy y2
+    +. product_error fz fz z2
+     -. product_error s.radius s.radius r2
+     +. (2. *. ((fx *. lx) +. (fy *. ly) +. (fz *. lz))))
+
 (* The second tier. Every number that cancels is carried as a sum hi + lo of two
    doubles, after T. Ogita, S. M. Rump, S. Oishi, Accurate Sum and Dot Product,
    SIAM J. Sci. Comput. 26, 2005; written out, since nothing here may allocate.
    The direction has been brought near 1. *)
-let meet_carefully s (o : Point.t) (d : Vec.t) ~back cursor =
+let meet_carefully s (ray : Object_ray.t) ~back cursor =
   let open Error_free in
+  Cursor.careful cursor;
+  let o = ray.origin and d = ray.direction in
+  let o' = ray.origin_low and d' = ray.direction_low in
   let dx = d.x and dy = d.y and dz = d.z in
   let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
-  let lx = sum_error o.x (-.s.x) fx
-  and ly = sum_error o.y (-.s.y) fy
-  and lz = sum_error o.z (-.s.z) fz in
-  let a = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
+  let lx = sum_error o.x (-.s.x) fx +. o'.x
+  and ly = sum_error o.y (-.s.y) fy +. o'.y
+  and lz = sum_error o.z (-.s.z) fz +. o'.z in
+  let a = dot dx dy dz dx dy dz in
+  let a =
+    a +. (dot_error dx dy dz dx dy dz a +. (2. *. dot dx dy dz d'.x d'.y d'.z))
+  in
   (* h = f.d *)
   let hx = fx *. dx and hy = fy *. dy and hz = fz *. dz in
   let h2 = hx +. hy in
@@ -51,15 +78,16 @@ let meet_carefully s (o : Point.t) (d : Vec.t) ~back cursor =
     h3
     +. (sum_error hx hy h2 +. sum_error h2 hz h3 +. product_error fx dx hx
       +. product_error fy dy hy +. product_error fz dz hz
-       +. ((lx *. dx) +. (ly *. dy) +. (lz *. dz)))
+       +. ((lx *. dx) +. (ly *. dy) +. (lz *. dz))
+       +. ((fx *. d'.x) +. (fy *. d'.y) +. (fz *. d'.z)))
   in
   (* p = f + t d, near the point of the line closest to the centre *)
   let t = -.h /. a in
   let tx = t *. dx and ty = t *. dy and tz = t *. dz in
   let sx = fx +. tx and sy = fy +. ty and sz = fz +. tz in
-  let ex = sum_error fx tx sx +. product_error t dx tx +. lx
-  and ey = sum_error fy ty sy +. product_error t dy ty +. ly
-  and ez = sum_error fz tz sz +. product_error t dz tz +. lz in
+  let ex = sum_error fx tx sx +. product_error t dx tx +. (lx +. (t *. d'.x))
+  and ey = sum_error fy ty sy +. product_error t dy ty +. (ly +. (t *. d'.y))
+  and ez = sum_error fz tz sz +. product_error t dz tz +. (lz +. (t *. d'.z)) in
   let px = sx +. ex and py = sy +. ey and pz = sz +. ez in
   let ex = ex -. (px -. sx)
   and ey = ey -. (py -. sy)
@@ -86,31 +114,21 @@ let meet_carefully s (o : Point.t) (d : Vec.t) ~back cursor =
   in
   if not (g >= 0.) then Contact.none
   else
-    (* c = f.f - r^2 *)
-    let x2 = fx *. fx and y2 = fy *. fy and z2 = fz *. fz in
-    let c1 = x2 -. r2 in
-    let c2 = c1 +. y2 in
-    let c3 = c2 +. z2 in
-    let c =
-      c3
-      +. (sum_error x2 (-.r2) c1 +. sum_error c1 y2 c2 +. sum_error c2 z2 c3
-        +. product_error fx fx x2 +. product_error fy fy y2
-        +. product_error fz fz z2 -. r2_lo
-         +. (2. *. ((fx *. lx) +. (fy *. ly) +. (fz *. lz))))
-    in
+    let c = power s ray in
     choose a h c (sqrt (a *. g)) ~back cursor
 
 (* For what the first tier cannot do: the direction is scaled to about 1 by a
    power of two. *)
-let meet_scaled s o (d : Vec.t) cursor =
-  let _, e = Float.frexp (Vec.largest d) in
-  let part x = Float.ldexp x (-e) in
-  let unit = Vec.v (part d.x) (part d.y) (part d.z) in
-  meet_carefully s o unit ~back:(Float.ldexp 1. (-e)) cursor
+let meet_scaled s (ray : Object_ray.t) cursor =
+  let _, e = Float.frexp (Vec.largest ray.direction) in
+  let ray = Object_ray.ldexp ~length:0 ~time:(-e) ray in
+  meet_carefully s ray ~back:(Float.ldexp 1. (-e)) cursor
 
-let meet_freely s (o : Point.t) (d : Vec.t) cursor =
-  let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
+let meet_freely s (ray : Object_ray.t) cursor =
+  let o = ray.origin and d = ray.direction in
+  let o' = ray.origin_low and d' = ray.direction_low in
   let dx = d.x and dy = d.y and dz = d.z in
+  let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
   let a = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
   let h = (fx *. dx) +. (fy *. dy) +. (fz *. dz) in
   let t = -.h /. a in
@@ -118,54 +136,106 @@ let meet_freely s (o : Point.t) (d : Vec.t) cursor =
   let px = Float.fma t dx fx
   and py = Float.fma t dy fy
   and pz = Float.fma t dz fz in
-  let p2 = (px *. px) +. (py *. py) +. (pz *. pz) in
   let r2 = s.radius *. s.radius in
   let f2 = (fx *. fx) +. (fy *. fy) +. (fz *. fz) in
-  let band = (0x1p-49 *. (r2 +. (s.radius *. sqrt f2))) +. (0x1p-98 *. f2) in
+  (* Low parts move p a little, and count for no more than roundings in the
+     rest; unless the origin's are not small beside f. *)
+  let px = px +. (o'.x +. (t *. d'.x))
+  and py = py +. (o'.y +. (t *. d'.y))
+  and pz = pz +. (o'.z +. (t *. d'.z)) in
+  let p2 = (px *. px) +. (py *. py) +. (pz *. pz) in
+  let lost = if ray.exact then 0. else Vec.largest o' in
+  let off = (0x1p-49 *. (s.radius +. sqrt f2)) +. (0x1p-48 *. lost) in
+  let band = (s.radius *. off) +. (off *. off) in
   if
     not
-      (a > 0x1p-500 && a < 0x1p500 && r2 > 0x1p-900 && r2 < 0x1p500
+      (a > 0x1p-400 && a < 0x1p400 && r2 > 0x1p-500 && r2 < 0x1p500
      && f2 < 0x1p500
       && f2 < 0x1p60 *. r2)
-  then meet_scaled s o d cursor
+  then meet_scaled s ray cursor
   else if p2 > r2 +. band then Contact.none
-  else
-    let plain = f2 -. r2 in
-    (* Near its edge, or from close by, the sphere is met with care. *)
-    if p2 < 0.75 *. r2 && Float.abs plain > 0.5 *. f2 then
-      let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
-      let g = r2 -. p2 +. (rest *. rest /. a) in
-      choose a h plain (sqrt (a *. g)) ~back:1. cursor
-    else meet_carefully s o d ~back:1. cursor
+  else if
+    (* Near its edge the sphere is met with care. *)
+    p2 < 0.75 *. r2 && lost *. lost <= 0x1p-106 *. f2
+  then
+    let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
+    let g = r2 -. p2 +. (rest *. rest /. a) in
+    choose a h (power s ray) (sqrt (a *. g)) ~back:1. cursor
+  else meet_carefully s ray ~back:1. cursor
 
 (* With the origin on the sphere the equation is t (a t + 2 h) = 0. *)
-let meet_again s (o : Point.t) (d : Vec.t) left cursor =
+let meet_again s ray left cursor =
   match Contact.side left with
   | Outside -> Contact.none
   | Inside ->
-      let d, e = Unrounded.pair_near_one d in
-      let f = Unrounded.pair_diff o (center s) in
+      Cursor.careful cursor;
+      let d, e = Object_ray.pair_near_one ray in
+      let f = Object_ray.pair_from ray (center s) in
       let open Double_double in
       let t = div (scale (-2.) (dot f d)) (dot d d) in
       Cursor.take cursor (Float.ldexp (to_float t) (-e)) inside
 
-let meet s o d left cursor =
-  if Contact.is_none left then meet_freely s o d cursor
-  else meet_again s o d left cursor
+let meet s ray left cursor =
+  if Contact.is_none left then meet_freely s ray cursor
+  else meet_again s ray left cursor
 
 let uv (n : Vec.t) =
   let y = Float.max (-1.) (Float.min 1. n.y) in
   ( 0.5 +. (Float.atan2 n.x n.z /. (2. *. Float.pi)),
     0.5 +. (Float.asin y /. Float.pi) )
 
-let locate s o d t =
-  let c = center s in
-  let offset = Point.sub (Point.along o d t) c in
-  let normal = Dir.of_vec_or Dir.x offset in
+(* A point near the hit, as seen from the centre, for a ray from so far that t is
+   not fine enough: by the way from the point of the ray nearest to the centre,
+   which the first step finds up to its own rounding, the second up to the
+   square of that. *)
+let from_closest s (ray : Object_ray.t) contact =
+  let o = ray.origin and d = ray.direction in
+  let d2 = Vec.dot d d in
+  let f = Point.sub o (center s) in
+  let lost = Vec.add (Unrounded.diff_error o (center s) f) ray.origin_low in
+  let closest = -.Vec.dot f d /. d2 in
+  let p = Vec.add (Vec.along f d closest) lost in
+  let p = Vec.along p d (-.Vec.dot p d /. d2) in
+  let half =
+    sqrt (Float.max 0. ((s.radius *. s.radius) -. Vec.dot p p) /. d2)
+  in
+  match Contact.side contact with
+  | Outside -> Vec.along p d (-.half)
+  | Inside -> Vec.along p d half
+
+(* From this many times the radius. *)
+let far = 0x1p10
+
+let near_hit s (ray : Object_ray.t) t contact =
+  let reach = t *. Vec.norm ray.direction in
+  if reach > far *. s.radius then
+    Point.add (center s) (from_closest s ray contact)
+  else Point.along ray.origin ray.direction t
+
+(* |y + rest|^2 - r^2, where [rest] is below half an ulp of [y]. *)
+let value s (y : Vec.t) (rest : Vec.t) =
+  let open Error_free in
+  let r2 = s.radius *. s.radius in
+  let y2 = dot y.x y.y y.z y.x y.y y.z in
+  let v = y2 -. r2 in
+  v
+  +. (sum_error y2 (-.r2) v
+     +. dot_error y.x y.y y.z y.x y.y y.z y2
+     -. product_error s.radius s.radius r2
+     +. (2. *. Vec.dot y rest))
+
+(* One Newton step takes the point to the sphere, up to its rounding and the
+   square of the step. *)
+let locate s ray t contact =
+  let near = near_hit s ray t contact in
+  let y = Point.sub near (center s) in
+  let k = value s y (Unrounded.diff_error near (center s) y) in
+  let k = -.k /. (2. *. s.radius *. s.radius) in
+  let point = Point.along near y k in
+  let normal = Dir.of_vec_or Dir.x y in
   let n = (normal :> Vec.t) in
-  let point = Point.along c n s.radius in
   let error n p =
-    (5. *. 0x1p-53 *. Float.abs (s.radius *. n)) +. (0x1p-53 *. Float.abs p)
+    (0x1p-52 *. Float.abs p) +. (Float.abs n *. (k *. k *. s.radius))
   in
   {
     Local.point;

@@ -17,16 +17,18 @@ val center : t -> Point.t
 val bounds : t -> Bounds.t
 (** [bounds s] is a box that holds [s]. *)
 
-val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
-(** [meet s o d left cursor] is the first contact of the ray from [o] along [d]
-    with [s] within [cursor], which moves there. [left] is the contact that the
-    ray starts from, if it starts on [s]: then the root at 0 is taken out of the
-    equation instead of being told apart from 0 by a tolerance.
+val meet : t -> Object_ray.t -> Contact.t -> Cursor.t -> Contact.t
+(** [meet s ray left cursor] is the first contact of [ray] with [s] within
+    [cursor], which moves there. [left] is the contact that the ray starts from,
+    if it starts on [s]: then the root at 0 is taken out of the equation instead
+    of being told apart from 0 by a tolerance.
 
     Two tiers: plain doubles where proven bounds decide, {!Double_double} in the
     band around tangency. Decisions are exact outside a relative band of 2^-96.
 *)
 
-val locate : t -> Point.t -> Vec.t -> float -> Local.t
-(** [locate s o d t] is the point of [s] at [t] along the ray, moved onto the
-    sphere along its radius. *)
+val locate : t -> Object_ray.t -> float -> Contact.t -> Local.t
+(** [locate s ray t contact] is the point of [s] at [t] along the ray, moved
+    onto the sphere by one Newton step along its radius. From far away, where
+    the doubles near [t] are further apart than the sphere is wide, the way to
+    it starts from the point of the ray nearest to the centre. *)

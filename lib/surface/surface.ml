@@ -7,7 +7,11 @@ type 'm t =
   | Quadric of Quadric.t * 'm
   | Group of 'm group
 
-and 'm group = { transform : Transform.t option; members : 'm t Bvh.t }
+and 'm group = {
+  transform : Transform.t option;
+  members : 'm t Bvh.t;
+  math : Math.t;
+}
 
 let sphere s m = Sphere (s, m)
 let box b m = Box (b, m)
@@ -19,12 +23,12 @@ let bounds = function
   | Box (b, _) -> Box.bounds b
   | Triangle (s, _) -> Triangle.bounds s
   | Quadric (q, _) -> Quadric.bounds q
-  | Group { transform = None; members } -> Bvh.bounds members
-  | Group { transform = Some m; members } ->
+  | Group { transform = None; members; _ } -> Bvh.bounds members
+  | Group { transform = Some m; members; _ } ->
       Bounds.transform (Transform.forward m) (Bvh.bounds members)
 
-let group members =
-  Group { transform = None; members = Bvh.make ~bounds members }
+let group ?(math = Math.Stable) members =
+  Group { transform = None; members = Bvh.make ~bounds members; math }
 
 let seen_through ?transform surface =
   match (surface, transform) with
@@ -33,7 +37,12 @@ let seen_through ?transform surface =
   | Group ({ transform = Some inner; _ } as g), Some outer ->
       Group { g with transform = Some (Transform.after outer inner) }
   | (Sphere _ | Box _ | Triangle _ | Quadric _), _ ->
-      Group { transform; members = Bvh.make ~bounds [| surface |] }
+      Group
+        {
+          transform;
+          members = Bvh.make ~bounds [| surface |];
+          math = Math.Stable;
+        }
 
 (* {1 Searching}
 
@@ -42,8 +51,8 @@ let seen_through ?transform surface =
    the cursor and [best]. *)
 
 type 'm search = {
-  origin : Point.t;
-  direction : Vec.t;
+  ray : Object_ray.t;
+  math : Math.t;
   rest : int list;
       (* the way from here to the surface that the ray left; [] if none *)
   left : Contact.t; (* how the ray left it *)
@@ -70,35 +79,53 @@ let left search i =
   | [ k ] when k = i -> search.left
   | [] | _ :: _ -> Contact.none
 
+let inside (group : _ group) ray =
+  match (group.transform, group.math) with
+  | None, _ -> ray
+  | Some m, Stable -> Object_ray.through (Transform.backward m) ray
+  | Some m, Textbook -> Textbook.group m ray
+
 let enter search i group =
-  let origin, direction =
-    match group.transform with
-    | None -> (search.origin, search.direction)
-    | Some m ->
-        let back = Transform.backward m in
-        (Affine.point back search.origin, Affine.vector back search.direction)
-  in
   let rest =
     match search.rest with
     | k :: (_ :: _ as rest) when k = i -> rest
     | [] | _ :: _ -> []
   in
-  let entered = { index = i; around = group.transform } :: search.entered in
-  { search with origin; direction; rest; entered }
+  {
+    search with
+    ray = inside group search.ray;
+    math = group.math;
+    rest;
+    entered = { index = i; around = group.transform } :: search.entered;
+  }
 
-let meet search i surface =
-  let o = search.origin and d = search.direction and cursor = search.cursor in
+let meet_stably search i surface =
+  let { ray; cursor; _ } = search in
   let left = left search i in
   match surface with
-  | Sphere (s, _) -> Sphere.meet s o d left cursor
-  | Box (b, _) -> Box.meet b o d left cursor
-  | Triangle (s, _) -> Triangle.meet s o d left cursor
-  | Quadric (q, _) -> Quadric.meet q o d left cursor
+  | Sphere (s, _) -> Sphere.meet s ray left cursor
+  | Box (b, _) -> Box.meet b ray left cursor
+  | Triangle (s, _) -> Triangle.meet s ray left cursor
+  | Quadric (q, _) -> Quadric.meet q ray left cursor
   | Group _ -> Contact.none
 
+let meet_by_textbook { ray; cursor; _ } surface =
+  let o = ray.origin and d = ray.direction in
+  match surface with
+  | Sphere (s, _) -> Textbook.sphere s o d cursor
+  | Box (b, _) -> Textbook.box b o d cursor
+  | Triangle (s, _) -> Textbook.triangle s o d cursor
+  | Quadric (q, _) -> Textbook.quadric q o d cursor
+  | Group _ -> Contact.none
+
+let meet search i surface =
+  Cursor.tested search.cursor;
+  match search.math with
+  | Stable -> meet_stably search i surface
+  | Textbook -> meet_by_textbook search surface
+
 let visit group search test =
-  Bvh.visit group.members search.origin search.direction search.cursor search
-    test
+  Bvh.visit group.members search.ray search.cursor search test
 
 (* The new contact is at the cursor's t. It replaces the best one unless that is
    at the same t and earlier in the scene. *)
@@ -137,19 +164,25 @@ let valid (ray : Ray.t) limit =
   && Vec.largest ray.direction > 0.
   && limit > 0.
 
-let start (ray : Ray.t) limit =
+(* The textbook's epsilon is a length, t is in units of the direction. *)
+let least surface (ray : Ray.t) =
+  match surface with
+  | Group { math = Textbook; _ } -> Textbook.epsilon /. Vec.norm ray.direction
+  | Group { math = Stable; _ } | Sphere _ | Box _ | Triangle _ | Quadric _ -> 0.
+
+let start surface (ray : Ray.t) limit =
   let rest, left =
     match ray.departure with
     | Nowhere -> ([], Contact.none)
     | Surface { path; part; side } -> (path, Contact.v ~part side)
   in
   {
-    origin = ray.origin;
-    direction = ray.direction;
+    ray = Object_ray.of_ray ray;
+    math = Stable;
     rest;
     left;
     entered = [];
-    cursor = { t = limit };
+    cursor = Cursor.v ~least:(least surface ray) limit;
     best = { found = None };
   }
 
@@ -157,34 +190,44 @@ let start (ray : Ray.t) limit =
    not count. *)
 let run surface search test =
   match surface with
-  | Group ({ transform = None; _ } as g) -> visit g search test
+  | Group ({ transform = None; math; _ } as g) ->
+      visit g { search with math } test
   | Sphere _ | Box _ | Triangle _ | Quadric _ | Group { transform = Some _; _ }
     ->
       test search 0 surface
 
-let locate { search = { origin = o; direction = d; _ }; surface; contact; _ } t
-    =
-  match surface with
-  | Sphere (s, m) -> Some (Sphere.locate s o d t, m)
-  | Box (b, m) -> Some (Box.locate b o d t contact, m)
-  | Triangle (s, m) -> Some (Triangle.locate s o d, m)
-  | Quadric (q, m) -> Some (Quadric.locate q o d t contact, m)
-  | Group _ -> None
+let locate { search = { ray; math; _ }; surface; contact; _ } t =
+  match (surface, math) with
+  | Sphere (s, m), Stable -> Some (Sphere.locate s ray t contact, m)
+  | Box (b, m), Stable -> Some (Box.locate b ray t contact, m)
+  | Triangle (s, m), Stable -> Some (Triangle.locate s ray, m)
+  | Quadric (q, m), Stable -> Some (Quadric.locate q ray t contact, m)
+  | Sphere (s, m), Textbook -> Some (Textbook.locate_sphere s ray t contact, m)
+  | Box (b, m), Textbook -> Some (Textbook.locate_box b ray t contact, m)
+  | Triangle (s, m), Textbook -> Some (Textbook.locate_triangle s ray t, m)
+  | Quadric (q, m), Textbook -> Some (Textbook.locate_quadric q ray t contact, m)
+  | Group _, _ -> None
 
 let hit found t =
-  let { search = { entered; _ }; place; contact; _ } = found in
+  let { search = { entered; math; _ }; place; contact; _ } = found in
   let groups = List.filter_map (fun g -> g.around) entered in
   Option.map
     (fun (local, m) ->
-      Hit.v ~t contact local ~groups ~path:(path entered place) m)
+      Hit.v ~t ~math contact local ~groups ~path:(path entered place) m)
     (locate found t)
 
-let nearest surface ?(limit = infinity) ray =
+let nearest surface ?(limit = infinity) ?effort ray =
   if not (valid ray limit) then None
   else
-    let search = start ray limit in
+    let search = start surface ray limit in
     ignore (run surface search test_nearest : bool);
+    Option.iter (Effort.add search.cursor) effort;
     Option.bind search.best.found (fun found -> hit found search.cursor.t)
 
-let blocked surface ~limit ray =
-  valid ray limit && run surface (start ray limit) test_blocked
+let blocked surface ?effort ~limit ray =
+  valid ray limit
+  &&
+  let search = start surface ray limit in
+  let blocked = run surface search test_blocked in
+  Option.iter (Effort.add search.cursor) effort;
+  blocked

@@ -22,8 +22,10 @@ val box : Box.t -> 'm -> 'm t
 val triangle : Triangle.t -> 'm -> 'm t
 val quadric : Quadric.t -> 'm -> 'm t
 
-val group : 'm t array -> 'm t
-(** [group members] is all of [members] as one surface. They count from 0. *)
+val group : ?math:Math.t -> 'm t array -> 'm t
+(** [group members] is all of [members] as one surface. They count from 0.
+    [math] (default [Stable]) is how rays meet the members; groups among them
+    have their own. *)
 
 val seen_through : ?transform:Transform.t -> 'm t -> 'm t
 (** [seen_through ~transform s] is [s] moved by [transform], sharing everything
@@ -33,12 +35,13 @@ val seen_through : ?transform:Transform.t -> 'm t -> 'm t
 val bounds : 'm t -> Bounds.t
 (** [bounds s] is a box that holds [s]; not finite where [s] is unbounded. *)
 
-val nearest : 'm t -> ?limit:float -> Ray.t -> 'm Hit.t option
+val nearest :
+  'm t -> ?limit:float -> ?effort:Effort.t -> Ray.t -> 'm Hit.t option
 (** [nearest s r] is where [r] first meets [s] at 0 < t ≤ [limit] (default: no
     limit); of several at the same t the one of least place. [None] where there
     is none, and for a ray with a coordinate that is not finite or a direction
-    that is zero. *)
+    that is zero. What it took is added to [effort]. *)
 
-val blocked : 'm t -> limit:float -> Ray.t -> bool
+val blocked : 'm t -> ?effort:Effort.t -> limit:float -> Ray.t -> bool
 (** [blocked s ~limit r] is [nearest s ~limit r <> None], stopping at the first
     hit found. *)

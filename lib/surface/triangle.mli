@@ -16,8 +16,12 @@ type uv = {
 [@@deriving show, eq, ord]
 (** Texture coordinates at the three corners. *)
 
+type plane
+(** The plane through three corners. *)
+
 type t = private {
   corners : corners;
+  plane : plane;
   normals : (Vec.t * Vec.t * Vec.t) option;
       (** what interpolated normals are made from, of any length *)
   uv : uv option;
@@ -34,10 +38,10 @@ val make :
 val bounds : t -> Bounds.t
 (** [bounds s] is the least box that holds [s]. *)
 
-val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
-(** [meet s o d left cursor] is the contact of the ray from [o] along [d] with
-    [s] within [cursor], which moves there. A ray that [left] the triangle never
-    meets it again; one in its plane never meets it.
+val meet : t -> Object_ray.t -> Contact.t -> Cursor.t -> Contact.t
+(** [meet s ray left cursor] is the contact of [ray] with [s] within [cursor],
+    which moves there. A ray that [left] the triangle never meets it again; one
+    in its plane never meets it.
 
     The signs of the three edges are exact, and ties are broken by moving [d] by
     an infinitesimal (ε, ε², ε³), the same way for every triangle: so a closed
@@ -45,8 +49,8 @@ val meet : t -> Point.t -> Vec.t -> Contact.t -> Cursor.t -> Contact.t
     edges and corners. After H. Edelsbrunner, E. P. Mücke,
     {e Simulation of Simplicity}, ACM TOG 9(1), 1990. *)
 
-val locate : t -> Point.t -> Vec.t -> Local.t
-(** [locate s o d] is the point of [s] on the line from [o] along [d], from its
+val locate : t -> Object_ray.t -> Local.t
+(** [locate s ray] is the point of [s] on the line of [ray], from its
     barycentric weights, so that its error does not grow with the distance. uv
     is interpolated from the triangle's own, else the weights of corners 2 and
     3. *)

@@ -1,3 +1,4 @@
+open Candor_number
 open Candor_colour
 open Candor_scene
 open Candor_sample
@@ -14,11 +15,11 @@ type t = {
   light : Tally.t -> Candor_space.Ray.t -> Rgb.t;
 }
 
-let compile ?plan (scene : Scene.t) =
+let compile ?plan ?math (scene : Scene.t) =
   let plan =
     match plan with Some plan -> plan | None -> Plan.of_scene scene
   in
-  let surface = Assembly.surface scene in
+  let surface = Assembly.surface ?math scene in
   let { Scene.spp; seed; filter; _ } = scene.settings in
   {
     surface;
@@ -49,9 +50,11 @@ let sample p tally ~x ~y ~sample =
   radiance
 
 let radiance p tally ~x ~y =
-  let rec sum i total =
-    if i = p.spp then total
-    else sum (i + 1) (Rgb.add total (sample p tally ~x ~y ~sample:i))
+  let mean s = Running_sum.total s /. float_of_int p.spp in
+  let rec sum i r g b =
+    if i = p.spp then Rgb.v (mean r) (mean g) (mean b)
+    else
+      let c = sample p tally ~x ~y ~sample:i in
+      Running_sum.(sum (i + 1) (add r c.r) (add g c.g) (add b c.b))
   in
-  let { Rgb.r; g; b } = sum 0 Rgb.black and n = float_of_int p.spp in
-  Rgb.v (r /. n) (g /. n) (b /. n)
+  Running_sum.(sum 0 zero zero zero)

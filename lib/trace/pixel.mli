@@ -10,8 +10,9 @@ type t
 (** A scene made ready to render: surfaces, plan, camera and samples. It is
     immutable; any number of domains may share it. *)
 
-val compile : ?plan:Plan.t -> Scene.t -> t
-(** [compile s] assembles [s] under [plan] (default: [Plan.of_scene s]). *)
+val compile : ?plan:Plan.t -> ?math:Candor_surface.Math.t -> Scene.t -> t
+(** [compile s] assembles [s] under [plan] (default: [Plan.of_scene s]), its
+    surfaces met by [math] (default [Stable]). *)
 
 val surface : t -> Assembly.skin Surface.t
 (** [surface p] is all of the scene's surfaces. *)

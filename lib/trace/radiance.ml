@@ -28,7 +28,7 @@ let compile plan (scene : Scene.t) surface =
     |> Array.of_list
   in
   let rec follow tally path (ray : Ray.t) =
-    match Surface.nearest surface ray with
+    match Surface.nearest surface ~effort:(Tally.effort tally) ray with
     | None ->
         if Tally.watched tally then Tally.show tally Met_nothing;
         sky ray.direction

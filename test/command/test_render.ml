@@ -162,7 +162,7 @@ let quiet () =
       "rays";
       "\n  sampling ";
       "\n  cut-off ";
-      "\n  numerics   0 non-finite samples";
+      " tests needed more than plain doubles; 0 non-finite";
       "\n  output ";
     ];
   Alcotest.(check int)

@@ -122,7 +122,7 @@ let not_yet () =
     ];
   List.iter
     (fun option -> refused [ "render"; "s.scene"; option ])
-    [ "--resume"; "--naive-math" ];
+    [ "--resume" ];
   refused [ "cost"; "s.scene" ];
   refused [ "cost"; "s.scene"; "--budget"; "20s" ];
   refused [ "cost"; "s.scene"; "--csv"; "f"; "--html"; "g" ];

@@ -10,32 +10,33 @@ type line = { origin : Exact.vec; direction : Exact.vec }
 let line (r : Ray.t) =
   { origin = Exact.point r.origin; direction = Exact.vec r.direction }
 
-type truth = { crossings : t list; band : bool Lazy.t; slack : Q.t }
+(** [exact line] is [line] as the oracles see it. *)
+let exact { origin; direction } = Line.of_rationals origin direction
+
+type truth = { crossings : t list; band : bool Lazy.t; slack : Dyadic.t }
 (** What the surface lets pass: [band] is whether the decision is nearer to a
     tie than the library promises to see, [slack] how far a [t] may be off
     besides its ulps. *)
 
 (** [exactly crossings] forgives nothing. *)
-let exactly crossings = { crossings; band = lazy false; slack = Q.zero }
+let exactly crossings = { crossings; band = lazy false; slack = Dyadic.zero }
 
-let too_far = Exact.power 1024
-let too_near = Exact.power (-1075)
+(** [slack wide] is [wide] as a number to forgive. *)
+let slack wide = Wide.to_dyadic wide
+
+(* Whether doubles can tell a t > 0 from 0 and from infinity. *)
+let in_range c =
+  Exact_root.sign c.at > 0
+  &&
+  let { Wide.e; _ } = Exact_root.estimate c.at in
+  let beyond k = Exact_root.against c.at (Dyadic.power k) Dyadic.one in
+  (e > -1000 || beyond (-1075) > 0) && (e < 1000 || beyond 1024 < 0)
 
 (** [first crossings] is the first at a t > 0 that doubles can tell from 0 and
-    from infinity. Of two the earlier is the one that is not after the other's
-    approximation to 250 bits. *)
+    from infinity. *)
 let first crossings =
-  let ahead =
-    List.filter
-      (fun c ->
-        Exact_root.compare c.at too_near > 0
-        && Exact_root.compare c.at too_far < 0)
-      crossings
-  in
-  let earlier a b =
-    if Exact_root.compare a.at (Exact_root.approximate b.at) <= 0 then a else b
-  in
-  match ahead with
+  let earlier a b = if Exact_root.before a.at b.at then a else b in
+  match List.filter in_range crossings with
   | [] -> None
   | c :: rest -> Some (List.fold_left earlier c rest)
 
@@ -52,16 +53,25 @@ type verdict =
   | Wrong_side  (** or part *)
   | Not_finite
 
+(* The distance is known to 2^-48: only where that leaves a doubt are exact signs
+   asked for. *)
+let near ~ulps slack (a : answer) (c : t) =
+  let x = Dyadic.of_float a.t and ulp = Exact.ulp a.t in
+  let off = Exact_root.distance c.at x in
+  let few = Wide.of_float (ulps *. ulp *. (1. -. 0x1p-40)) in
+  Wide.leq off few
+  ||
+  let allowed = Dyadic.((of_float ulps * of_float ulp) + slack) in
+  Exact_root.near c.at x allowed
+
 (** [judge ~ulps truth answer] compares the library's [answer] with [truth];
-    [ulps] is the error that t may have. *)
+    [ulps] is the error that t may have, in ulps of the answer. *)
 let judge ~ulps { crossings; band; slack } answer =
-  let open Exact in
-  let allowed t = (q ulps * q (ulp t)) + slack in
-  let near (a : answer) (c : t) = Exact_root.near c.at (q a.t) (allowed a.t) in
+  let near = near ~ulps slack in
   let same (a : answer) (c : t) = a.side = c.side && a.part = c.part in
   let forgiven verdict =
-    let at_start (c : t) = Exact_root.near c.at zero slack in
-    let lost_start = Q.sign slack > 0 && List.exists at_start crossings in
+    let at_start (c : t) = Exact_root.near c.at Dyadic.zero slack in
+    let lost_start = Dyadic.sign slack > 0 && List.exists at_start crossings in
     if Lazy.force band then Excused
     else
       match (verdict, answer) with
@@ -75,20 +85,21 @@ let judge ~ulps { crossings; band; slack } answer =
   | _, Some { t; _ } when not (Float.is_finite t) -> Not_finite
   | Some c, Some a ->
       if not (near a c) then forgiven Wrong_t
-      else if List.exists (fun c -> near a c && same a c) crossings then Agrees
+      else if same a c || List.exists (fun c -> near a c && same a c) crossings
+      then Agrees
       else forgiven Wrong_side
   | None, Some _ -> forgiven False_hit
   | Some _, None -> forgiven False_miss
 
-(** [error truth answer] is the error of t in ulps, less the slack; [None] if
-    there is nothing to compare. *)
+(** [error truth answer] is the error of t in ulps of the answer, less the
+    slack; [None] if there is nothing to compare. *)
 let error { crossings; slack; _ } answer =
-  let open Exact in
   match (first crossings, answer) with
   | Some c, Some (a : answer) ->
-      let t = Exact_root.approximate c.at in
-      let off = Q.max zero (Q.abs (q a.t - t) - slack) in
-      Some (Q.to_float (off / q (ulp (Q.to_float t))))
+      let off = Exact_root.distance c.at (Dyadic.of_float a.t) in
+      let off = Wide.(sub off (of_dyadic slack)) in
+      let ulps = Wide.(div off (of_float (Exact.ulp a.t))) in
+      Some (Float.max 0. (Wide.to_float ulps))
   | _ -> None
 
 let show_verdict = function

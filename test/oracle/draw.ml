@@ -95,6 +95,17 @@ let any_coordinate =
   let tiny = pick [ 5e-324; -5e-324; 0x1p-1022; -0x1p-1022; 0x1p-400 ] in
   oneof [ coordinate; coordinate; coordinate; tiny ]
 
+(** [pool n g] is one of [n] that are drawn from [g] once, for what is costly to
+    make. *)
+let pool n g =
+  let trees =
+    lazy
+      (let rand = Random.State.make [| n |] in
+       Array.init n (fun _ -> generate_tree ~rand g))
+  in
+  let one s = (Lazy.force trees).(Random.State.int s n) in
+  map Tree.root (make_primitive ~gen:one ~shrink:Tree.children)
+
 (* {1 Vectors} *)
 
 let map3 f a b c = map3 f a b c

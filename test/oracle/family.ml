@@ -1,13 +1,15 @@
 (** Families of cases, each planting one kind of difficulty, and what the
     library makes of them beside the exact truth. *)
 
+open QCheck2
+
 type 'shape case = { shape : 'shape; ray : Candor_space.Ray.t }
-type 'shape t = { name : string; cases : 'shape case QCheck2.Gen.t }
+type 'shape t = { name : string; cases : 'shape case Gen.t }
 
 type 'shape kind = {
   show : 'shape -> string;
   answer : 'shape -> Candor_space.Ray.t -> Crossing.answer option;
-  truth : 'shape -> Crossing.line -> Crossing.truth;
+  truth : 'shape -> Line.t -> Crossing.truth;
 }
 (** How to judge a kind of surface. *)
 
@@ -21,61 +23,87 @@ let show_answer = function
         (match side with Outside -> "from outside" | Inside -> "from inside")
         part
 
-(** [agrees kind ~ulps family] is the law that the library agrees with the exact
-    truth on [family], with t within [ulps]. *)
-let agrees ?count kind ~ulps { name; cases } =
-  Law.law ?count ~print:(show kind)
-    (Printf.sprintf "%s: decided exactly, t within %g ulp" name ulps) cases
-    (fun { shape; ray } ->
-      let truth = kind.truth shape (Crossing.line ray) in
-      let answer = kind.answer shape ray in
-      match Crossing.judge ~ulps truth answer with
-      | Agrees | Excused -> true
-      | verdict ->
-          Law.fail "%s: the answer is %s, the truth %s"
-            (Crossing.show_verdict verdict)
-            (show_answer answer)
-            (show_answer
-               (Option.map
-                  (fun (c : Crossing.t) ->
-                    {
-                      Crossing.t = Q.to_float (Exact_root.approximate c.at);
-                      side = c.side;
-                      part = c.part;
-                    })
-                  (Crossing.first truth.crossings))))
+let show_crossing (c : Crossing.t) =
+  let t = Q.to_float (Exact_root.approximate c.at) in
+  show_answer (Some { Crossing.t; side = c.side; part = c.part })
 
-(** [spread xs] is the median, the 99th percentile and the greatest of [xs]. *)
-let spread xs =
-  Array.sort Float.compare xs;
-  let n = Array.length xs in
-  let at p = if n = 0 then nan else xs.(Int.min (n - 1) (p * n / 100)) in
-  Printf.sprintf "%8.3g %7.3g %8.3g" (at 50) (at 99) (at 100)
+(* {1 Judging} *)
 
-(** [figures kind ~count family] prints a line of what {!agrees} would judge. *)
-let figures kind ~count { name; cases } =
+let judged kind ~ulps { shape; ray } =
+  let truth = kind.truth shape (Line.of_ray ray) in
+  let answer = kind.answer shape ray in
+  (truth, answer, Crossing.judge ~ulps truth answer)
+
+let is_right (v : Crossing.verdict) =
+  match v with
+  | Agrees | Excused -> true
+  | False_miss | False_hit | Wrong_t | Wrong_side | Not_finite -> false
+
+(* The simplest case that is wrong as well. *)
+let rec shrunk wrong tree =
+  match Seq.find (fun t -> wrong (Tree.root t)) (Tree.children tree) with
+  | Some simpler -> shrunk wrong simpler
+  | None -> Tree.root tree
+
+let report kind ~ulps name i case =
+  let truth, answer, verdict = judged kind ~ulps case in
+  Printf.sprintf
+    "%s: case %d of seed %d, made simpler:\n\
+     %s\n\
+     %s: the answer is %s, the truth %s, t to be within %g ulp"
+    name i Law.seed (show kind case)
+    (Crossing.show_verdict verdict)
+    (show_answer answer)
+    (Option.fold ~none:"no hit" ~some:show_crossing
+       (Crossing.first truth.crossings))
+    ulps
+
+(** [source family] draws the cases of [family], the same in every run, each
+    with the simpler ones that it shrinks to. *)
+let source { name; cases } =
   let rand = Random.State.make [| Law.seed; Hashtbl.hash name |] in
-  let all = QCheck2.Gen.generate ~rand ~n:count cases in
-  let tally = Hashtbl.create 8 and errors = ref [] in
-  let judge { shape; ray } =
-    let truth = kind.truth shape (Crossing.line ray) in
-    let answer = kind.answer shape ray in
-    let verdict = Crossing.judge ~ulps:1e6 truth answer in
-    let n = Option.value ~default:0 (Hashtbl.find_opt tally verdict) in
-    Hashtbl.replace tally verdict (n + 1);
-    if verdict = Agrees then
-      Option.iter
-        (fun e -> errors := e :: !errors)
-        (Crossing.error truth answer)
-  in
-  List.iter judge all;
-  let errors = Array.of_list !errors in
-  let of_kind v = Option.value ~default:0 (Hashtbl.find_opt tally v) in
-  Printf.printf "%-64s %7d %7d %5d %5d %5d %5d %5d %5d  %s\n%!" name count
-    (Array.length errors) (of_kind False_miss) (of_kind False_hit)
-    (of_kind Wrong_side) (of_kind Wrong_t) (of_kind Not_finite)
-    (of_kind Excused) (spread errors)
+  fun () -> Gen.generate_tree ~rand cases
 
-let heading name =
-  Printf.printf "%-64s %7s %7s %5s %5s %5s %5s %5s %5s  %s\n" name "cases"
-    "hits" "miss-" "hit-" "side-" "t-" "nan" "excus" "ulp: p50    p99      max"
+(** [sample family n] are the first [n] of its cases. *)
+let sample family n =
+  let next = source family in
+  Array.init n (fun _ -> Tree.root (next ()))
+
+type outcome = { tally : Score.t; failure : string option  (** the first *) }
+
+(** [run kind ~ulps ~count family] judges [count] cases, one after the other,
+    with t to be within [ulps]; [observe] sees each of them too. *)
+let run ?(observe = ignore) kind ~ulps ~count family =
+  let tally = Score.make () and next = source family in
+  let judge failure i =
+    let tree = next () in
+    let case = Tree.root tree in
+    let truth, answer, verdict = judged kind ~ulps case in
+    observe case;
+    Score.verdict tally verdict;
+    if verdict = Agrees then
+      Option.iter (Score.error tally) (Crossing.error truth answer);
+    match failure with
+    | Some _ -> failure
+    | None when is_right verdict -> None
+    | None ->
+        let wrong case =
+          let _, _, verdict = judged kind ~ulps case in
+          not (is_right verdict)
+        in
+        Some (report kind ~ulps family.name i (shrunk wrong tree))
+  in
+  let failure = Seq.fold_left judge None (Seq.take count (Seq.ints 1)) in
+  { tally; failure }
+
+(** [agrees name kind ~ulps family] is the example [name]: that the library
+    agrees with the truth on the first cases of [family]. *)
+let agrees ?(count = 2000) name kind ~ulps family =
+  Law.example name (fun () ->
+      let { failure; _ } = run kind ~ulps ~count:(count * Law.factor) family in
+      Option.iter (fun why -> Alcotest.fail why) failure)
+
+(** [decides name kind ~ulps case] is the same for one case. *)
+let decides name kind ~ulps case =
+  let drawn = { name; cases = Gen.return case } in
+  agrees ~count:1 name kind ~ulps drawn

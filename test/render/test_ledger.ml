@@ -49,7 +49,7 @@ let golden () =
       "out.ppm 20x10 1 spp T s 216 rays N words/ray";
       "  sampling   unknown: one sample a pixel says nothing of its error";
       "  cut-off    0: no path was cut";
-      "  numerics   0 non-finite samples";
+      "  numerics   16 of 32 tests needed more than plain doubles; 0 non-finite";
       "  output     184 pixels clamped at 255; 8-bit rounding 0.08/255";
     ]
     (text (scene ()));
@@ -58,7 +58,7 @@ let golden () =
       "out.pfm 20x10 2 spp T s 442 rays N words/ray";
       "  sampling   unknown: 2 stratified samples do not tell their own error";
       "  cut-off    0: no path was cut";
-      "  numerics   0 non-finite samples";
+      "  numerics   42 of 84 tests needed more than plain doubles; 0 non-finite";
       "  output     linear radiance in 32-bit floats: nothing is clamped";
     ]
     (text ~name:"out.pfm" ~format:Pfm (scene ~spp:2 ()))
@@ -98,8 +98,8 @@ let non_finite () =
   let numerics = line 3 (text s) in
   Alcotest.(check string)
     "counted, and where"
-    "  numerics   16 non-finite samples; the first in pixel 8 3: see candor \
-     trace SCENE 8 3"
+    "  numerics   16 of 160 tests needed more than plain doubles; 16 \
+     non-finite samples, the first in pixel 8 3: see candor trace SCENE 8 3"
     numerics
 
 let output () =
@@ -143,6 +143,8 @@ let json () =
   check [ "image"; "width" ] (Number "20");
   check [ "image"; "spp" ] (Number "2");
   check [ "ledger"; "numerics"; "non_finite" ] (Number "0");
+  check [ "ledger"; "numerics"; "tests" ] (Number "84");
+  check [ "ledger"; "numerics"; "careful" ] (Number "42");
   List.iter
     (fun path ->
       match Json_reader.get path j with

@@ -30,6 +30,23 @@ let affine =
       of_entries (Draw.signed (Draw.wide (-8.) 8.));
     ]
 
+(* Whole numbers round nothing. *)
+let whole = of_entries (Draw.small 9)
+
+(* The last column is a sum of multiples of the others, exactly. *)
+let singular =
+  let open Gen in
+  let number = Draw.uniform (-3.) 3. in
+  let* m = of_entries (map (Draw.rounded 26) number) in
+  let* j = Draw.small 3 and* k = Draw.small 3 in
+  return
+    {
+      m with
+      Affine.xz = (j *. m.xx) +. (k *. m.xy);
+      yz = (j *. m.yx) +. (k *. m.yy);
+      zz = (j *. m.zx) +. (k *. m.zy);
+    }
+
 let rows (m : Affine.t) =
   Exact.
     ( v (q m.xx) (q m.xy) (q m.xz),

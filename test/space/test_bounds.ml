@@ -56,7 +56,7 @@ let of_points ps =
 (* The exact image of a point of the box is in the image of the box. *)
 let transformed ((a, b), (m, (s, t, u))) =
   let box = Bounds.of_points [ a; b ] in
-  let image = Bounds.transform m box in
+  let image = Bounds.transform (Wide_affine.of_affine m) box in
   let between lo hi k = Exact.(q lo + (q k * (q hi - q lo))) in
   let open Exact in
   let x = between box.x0 box.x1 s
@@ -74,7 +74,7 @@ let transformed ((a, b), (m, (s, t, u))) =
   && Q.geq (q image.z1) z'
 
 let empties () =
-  let m = { Affine.identity with xx = 2.; xt = 1. } in
+  let m = Wide_affine.of_affine { Affine.identity with xx = 2.; xt = 1. } in
   let is_empty (b : Bounds.t) = b.x0 > b.x1 in
   Alcotest.(check bool)
     "empty stays empty" true

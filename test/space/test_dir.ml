@@ -52,11 +52,33 @@ let turned a =
       && Dir.dot u (Dir.neg u) = -.Dir.dot u u
       && near 0x1p-50 (Dir.dot u u) 1.
 
+(* Many directions come out longer than 1: by how little is what others may
+   count on. *)
+let longer () =
+  let state = Random.State.make [| 11 |] in
+  let number _ = Random.State.float state 2. -. 1. in
+  let drawn _ =
+    Dir.of_vec_or Dir.x (Vec.v (number ()) (number ()) (number ()))
+  in
+  let directions = List.init 20_000 drawn in
+  let longer = List.filter (fun d -> Dir.dot d d > 1.) directions in
+  Alcotest.(check bool) "many" true (List.length longer > 1000);
+  List.iter
+    (fun (d : Dir.t) ->
+      let over = Q.sub (squares (d :> Vec.t)) Q.one in
+      if Q.gt over (Exact.power (-50)) || Dir.dot d d > 1. +. 0x1p-50 then
+        Alcotest.failf "%s" (show (d :> Vec.t)))
+    longer
+
 let suite =
   ( "directions",
     [
       Law.law ~count:10000 ~print:show
-        "a direction has length 1 and points the same way, at any size" vec unit;
+        "G12: a direction has length 1 and points the same way, at any size" vec
+        unit;
+      Law.example
+        "G11: directions that round to longer than 1 do so by 2^-51 at most"
+        longer;
       Law.law ~count:5000
         ~print:(fun (a, k) -> Printf.sprintf "%s %d" (show a) k)
         "a power of two changes no bit"
@@ -64,5 +86,5 @@ let suite =
         scaled;
       Law.law ~count:5000 ~print:show "turning twice changes nothing" vec turned;
       Law.example "what has no direction has none" none;
-      Law.example "the smallest and the largest vectors have one" extremes;
+      Law.example "G12: the smallest and the largest vectors have one" extremes;
     ] )

@@ -29,10 +29,20 @@ let poles () =
       Vec.v 0. (-1.) (-5e-324);
     ]
 
+(* A hair's breadth beside a pole, down to nothing. *)
+let near_pole =
+  let open QCheck2.Gen in
+  let aside = Draw.signed (Draw.wide (-18.) 0.) in
+  let+ x = aside and+ y = aside and+ z = Draw.nudged Draw.sign in
+  Vec.v x y z
+
 let suite =
   ( "frames",
     [
       Law.law ~count:20000 ~print:show
         "three unit directions at right angles, right-handed" vec orthonormal;
-      Law.example "at and near the poles too" poles;
+      Law.law ~count:20000 ~print:show
+        "G16: frames next to the poles are orthonormal" near_pole orthonormal;
+      Law.example "G16: frames at the poles and on the axes are orthonormal"
+        poles;
     ] )

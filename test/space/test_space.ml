@@ -8,6 +8,8 @@ let () =
       Test_bounds.suite;
       Test_unrounded.suite;
       Test_affine.suite;
+      Test_wide_affine.suite;
+      Test_object_ray.suite;
       Test_transform.suite;
       Test_side.suite;
       Test_ray.suite;

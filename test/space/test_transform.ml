@@ -8,6 +8,7 @@ let show (s, p) = Maps.show_steps s ^ "\n" ^ Draw.show_point p
 let get s =
   match Transform.of_steps s with Ok m -> m | Error e -> Law.fail "%s" e
 
+let image m p = fst (Wide_affine.point m p Vec.zero)
 let near (p : Point.t) (q : Point.t) e = Vec.largest (Point.sub p q) <= e
 
 (* Large enough for any point that six steps can make of this one. *)
@@ -36,29 +37,27 @@ let least s =
 
 let undoes (s, p) =
   let m = get s in
-  let there = Affine.point (Transform.forward m) p in
-  let back = Affine.point (Transform.backward m) there in
+  let there = image (Transform.forward m) p in
+  let back = image (Transform.backward m) there in
   near back p (0x1p-44 *. reach s p /. least s)
 
 let in_order (s, p) =
-  let one step p = Affine.point (Transform.forward (get [ step ])) p in
+  let one step p = image (Transform.forward (get [ step ])) p in
   let by_steps = List.fold_left (fun p step -> one step p) p s in
-  let at_once = Affine.point (Transform.forward (get s)) p in
+  let at_once = image (Transform.forward (get s)) p in
   near by_steps at_once (0x1p-46 *. reach s p)
 
 let composes ((a, b), p) =
   let both = Transform.after (get b) (get a) and listed = get (a @ b) in
   near
-    (Affine.point (Transform.forward both) p)
-    (Affine.point (Transform.forward listed) p)
+    (image (Transform.forward both) p)
+    (image (Transform.forward listed) p)
     (0x1p-46 *. reach (a @ b) p)
 
 let turns (p, k) =
   (* Quarter turns about the axes are exact permutations. *)
   let turn axis p =
-    Affine.point
-      (Transform.forward (get [ Rotate { axis; degrees = 90. *. k } ]))
-      p
+    image (Transform.forward (get [ Rotate { axis; degrees = 90. *. k } ])) p
   in
   let by_z = turn (Vec.v 0. 0. 2.) p in
   let { Point.x; y; z } = p in
@@ -74,18 +73,18 @@ let turns (p, k) =
 let keeps_lengths ((axis, degrees), p) =
   let m = get [ Rotate { axis; degrees } ] in
   let a = Point.sub p Point.origin in
-  let b = Affine.vector (Transform.forward m) a in
+  let b, _ = Wide_affine.vector (Transform.forward m) a Vec.zero in
   Float.abs (Vec.norm b -. Vec.norm a) <= 0x1p-49 *. Vec.norm a
 
 let identity () =
   let p = Point.v 0.1 0.2 0.3 in
-  let same m = Point.equal p (Affine.point (Transform.forward m) p) in
+  let same m = Point.equal p (image (Transform.forward m) p) in
   Alcotest.(check bool) "identity" true (same Transform.identity);
   Alcotest.(check bool) "no steps" true (same (get []))
 
 let seen_against_the_axis () =
   let m = get [ Rotate { axis = Vec.v 0. 1. 0.; degrees = 90. } ] in
-  let q = Affine.point (Transform.forward m) (Point.v 0. 0. 1.) in
+  let q = image (Transform.forward m) (Point.v 0. 0. 1.) in
   Alcotest.(check bool)
     "z goes to x about y" true
     (Point.equal q (Point.v 1. 0. 0.))

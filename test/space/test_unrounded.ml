@@ -14,22 +14,24 @@ let difference ((p : Point.t), (o : Point.t)) =
   in
   is p.x o.x x e.x && is p.y o.y y e.y && is p.z o.z z e.z
 
-let near_one (a : Vec.t) =
-  let { Double_double.x; y; z }, e = Unrounded.pair_near_one a in
-  let m = Vec.largest (Vec.v x.hi y.hi z.hi) in
-  let back (x : Double_double.t) = Float.ldexp x.hi e in
-  Vec.equal a Vec.zero
-  || (0.5 <= m && m < 1. && Vec.equal a (Vec.v (back x) (back y) (back z)))
+let lost (p, o) =
+  let d = Point.sub p o in
+  let e = Unrounded.diff_error p o d in
+  let open Exact in
+  let whole = add (vec d) (vec e) and truth = sub (point p) (point o) in
+  Q.equal whole.x truth.x && Q.equal whole.y truth.y && Q.equal whole.z truth.z
 
 let suite =
   let number = Draw.wide (-40.) 40. in
   let signed = Gen.(oneof [ Draw.small 9; number; map Float.neg number ]) in
   let point = Draw.point signed in
+  let law name holds =
+    Law.law
+      ~print:(fun (p, o) -> Point.show p ^ "\n" ^ Point.show o)
+      name (Gen.pair point point) holds
+  in
   ( "unrounded vectors",
     [
-      Law.law
-        ~print:(fun (p, o) -> Point.show p ^ "\n" ^ Point.show o)
-        "a difference of points loses nothing" (Gen.pair point point) difference;
-      Law.law ~print:Vec.show "a power of two brings a vector near one"
-        (Draw.vec signed) near_one;
+      law "a difference of points loses nothing" difference;
+      law "what a rounded difference lost is exact" lost;
     ] )

@@ -29,6 +29,8 @@ let meets_box (b : Bounds.t) ray =
       Q.leq (Q.max Q.zero near) far
   | _ -> false
 
+let probe (r : Ray.t) = Object_ray.v r.origin r.direction
+
 let visited boxes (ray : Ray.t) =
   let h = Bvh.make ~bounds:Fun.id boxes in
   let seen = Array.make (Array.length boxes) 0 in
@@ -37,7 +39,7 @@ let visited boxes (ray : Ray.t) =
     seen.(i) <- seen.(i) + 1;
     false
   in
-  let stopped = Bvh.visit h ray.origin ray.direction { t = infinity } () test in
+  let stopped = Bvh.visit h (probe ray) (Cursor.v infinity) () test in
   (seen, stopped)
 
 let show (boxes, ray) =
@@ -92,7 +94,7 @@ let stops_at_first (boxes, (ray : Ray.t)) =
   let h = Bvh.make ~bounds:Fun.id boxes in
   let count = ref 0 in
   let stopped =
-    Bvh.visit h ray.origin ray.direction { t = infinity } () (fun () _ _ ->
+    Bvh.visit h (probe ray) (Cursor.v infinity) () (fun () _ _ ->
         incr count;
         true)
   in
@@ -103,7 +105,7 @@ let same_tree (boxes, (ray : Ray.t)) =
     let h = Bvh.make ~bounds:Fun.id boxes in
     let seen = ref [] in
     ignore
-      (Bvh.visit h ray.origin ray.direction { t = infinity } () (fun () i _ ->
+      (Bvh.visit h (probe ray) (Cursor.v infinity) () (fun () i _ ->
            seen := i :: !seen;
            false)
         : bool);
@@ -123,12 +125,14 @@ let far_boxes_are_passed_over () =
   in
   let boxes = Array.init 1000 at in
   let h = Bvh.make ~bounds:Fun.id boxes in
-  let cursor = { Cursor.t = infinity } in
+  let cursor = Cursor.v infinity in
   let count = ref 0 in
   let stopped =
-    Bvh.visit h (p 0.5 0.5 (-1.)) (v 0. 0. 1.) cursor () (fun () i _ ->
+    let ray = Object_ray.v (p 0.5 0.5 (-1.)) (v 0. 0. 1.) in
+    let here = Contact.v ~part:0 Outside in
+    Bvh.visit h ray cursor () (fun () i _ ->
         incr count;
-        cursor.t <- Float.min cursor.t (float_of_int (i + 1));
+        ignore (Cursor.take cursor (float_of_int (i + 1)) here : Contact.t);
         false)
   in
   Alcotest.(check bool) "not stopped" false stopped;

@@ -13,7 +13,7 @@ let time =
 let contact = Contact.v ~part:3 Inside
 
 let takes (limit, t) =
-  let cursor = { Cursor.t = limit } in
+  let cursor = Cursor.v limit in
   let found = Cursor.take cursor t contact in
   (* In the order of Float.compare nan comes first, and 0 equals -0. *)
   let wanted =
@@ -24,7 +24,7 @@ let takes (limit, t) =
 
 (* Of several the least is kept, and of those that tie the last. *)
 let keeps_least (limit, times) =
-  let cursor = { Cursor.t = limit } in
+  let cursor = Cursor.v limit in
   let take kept (i, t) =
     let found = Cursor.take cursor t (Contact.v ~part:i Outside) in
     if Contact.is_none found then kept else found

@@ -14,8 +14,8 @@ let half ~closed =
     ~disks:(if closed then [| 0 |] else [||])
 
 let meet q o d left =
-  let cursor = { Cursor.t = infinity } in
-  let contact = Cut_form.meet q o d left cursor in
+  let cursor = Cursor.v infinity in
+  let contact = Cut_form.meet q (Object_ray.v o d) left cursor in
   (cursor.t, contact)
 
 let from_above = (Point.v 5. 0.25 0., Vec.v (-1.) 0. 0.)

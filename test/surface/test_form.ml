@@ -25,17 +25,14 @@ let closely case =
   let f, c, { Ray.origin = o; direction = d; _ }, offset, (a, b, k) =
     terms case
   in
-  let open Double_double in
-  let p =
-    {
-      x = Error_free.two_diff o.x c.x;
-      y = Error_free.two_diff o.y c.y;
-      z = Error_free.two_diff o.z c.z;
-    }
-  in
   let exact_d = Exact.vec d in
-  let d = { x = of_float d.x; y = of_float d.y; z = of_float d.z } in
-  let found = Form.along f p d in
+  let x = Error_free.two_diff o.x c.x
+  and y = Error_free.two_diff o.y c.y
+  and z = Error_free.two_diff o.z c.z in
+  let p = Vec.v x.hi y.hi z.hi and p' = Vec.v x.lo y.lo z.lo in
+  let found_a = Form.bend f d Vec.zero
+  and found_b = Form.rise f p p' d Vec.zero
+  and found_c = Form.value f p p' in
   let value { Error_free.hi; lo } = Exact.(q hi + q lo) in
   let near x y terms =
     Q.leq Exact.(Q.abs (value x - y)) Exact.(power (-100) * terms)
@@ -43,9 +40,9 @@ let closely case =
   let open Exact in
   let ps = size offset and ds = size exact_d in
   let am = q f.a_size and gm = q f.g_size in
-  near found.a a (am * ds * ds)
-  && near found.b b (ds * ((am * ps) + gm))
-  && near found.c k ((am * ps * ps) + (two * gm * ps) + Q.abs (q f.k))
+  near found_a a (am * ds * ds)
+  && near found_b b (ds * ((am * ps) + gm))
+  && near found_c k ((am * ps * ps) + (two * gm * ps) + Q.abs (q f.k))
 
 let sizes (shape, _) =
   let f = Form.of_shape shape in

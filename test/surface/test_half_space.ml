@@ -20,8 +20,10 @@ let exact_terms (h : Half_space.t) ray =
 let expansion_is x y =
   Expansion.sign x = Q.sign y && Exact.within 1. (Expansion.to_float x) y
 
+let given (r : Ray.t) = Object_ray.v r.origin r.direction
+
 let along_exactly (h, (ray : Ray.t)) =
-  let v, w = Half_space.along h ray.origin ray.direction in
+  let v, w = Half_space.along h (given ray) in
   let v', w' = exact_terms h ray in
   expansion_is v v' && expansion_is w w'
 
@@ -30,14 +32,14 @@ let verdict_is_right ((h, (ray : Ray.t)), (t, ulps)) =
   let near = t +. (ulps *. Exact.ulp t) in
   let v, w = exact_terms h ray in
   let value = Q.add v (Q.mul w (Exact.q near)) in
-  match Half_space.verdict h ray.origin ray.direction t with
+  match Half_space.verdict h (given ray) t with
   | In -> Q.sign value <= 0
   | Out -> Q.sign value > 0
   | Unsure -> true
 
 let depth_is_exact_to_double_double (h, (ray : Ray.t)) =
   let value, _ = exact_terms h ray in
-  let { Error_free.hi; lo } = Half_space.depth h ray.origin in
+  let found = Half_space.depth h (given ray) in
   let { Point.x; y; z } = ray.origin in
   let size n p x = Q.abs Exact.(q n * (q x - q p)) in
   let terms =
@@ -45,8 +47,18 @@ let depth_is_exact_to_double_double (h, (ray : Ray.t)) =
       (Q.add (size h.ny h.py y)
          (Q.add (size h.nz h.pz z) (Q.abs (Exact.q h.c))))
   in
-  let error = Q.abs Exact.(q hi + q lo + value) in
-  Q.leq error Exact.((power (-98) * terms) + power (-1060))
+  let error = Q.abs Exact.(q found + value) in
+  Q.leq error
+    Exact.((power (-98) * terms) + (power (-52) * Q.abs value) + power (-1060))
+
+let speed_is_exact_to_double_double (h, (ray : Ray.t)) =
+  let _, speed = exact_terms h ray in
+  let d = ray.direction in
+  let size n d = Q.abs Exact.(q n * q d) in
+  let terms = Q.add (size h.nx d.x) (Q.add (size h.ny d.y) (size h.nz d.z)) in
+  let error = Q.abs Exact.(q (Half_space.speed h (given ray)) - speed) in
+  Q.leq error
+    Exact.((power (-98) * terms) + (power (-52) * Q.abs speed) + power (-1060))
 
 let of_bounds () =
   let b = Bounds.v (Point.v 0. 1. 2.) (Point.v 3. infinity 5.) in
@@ -96,5 +108,8 @@ let suite =
       Law.law ~count:8000 ~print:show
         "the depth of a point is right to double-double" both
         depth_is_exact_to_double_double;
+      Law.law ~count:8000 ~print:show
+        "the speed is right in twice the precision" both
+        speed_is_exact_to_double_double;
       Law.example "those of a box hold what the box holds" of_bounds;
     ] )

@@ -179,7 +179,7 @@ let exact_value (h : _ Hit.t) p = function
           (fun (c : Exact_quadric.cut) -> c.cap = Some h.part)
           (Exact_quadric.of_quadric q).cuts
       in
-      Exact.(Q.sub (dot cut.n (sub p cut.p)) cut.c)
+      Exact_quadric.beyond cut p
 
 let origin_is_beside side ({ case = { shape; _ }; _ } as l) =
   on_hit ~side l (fun _ h d ~slope ->
@@ -260,7 +260,7 @@ let other_root ({ case = { shape; _ }; _ } as l) =
     let line = Crossing.line ray in
     match shape with
     | Shapes.Sphere s when h.part = 0 ->
-        let (a, b, _), _, _ = Exact_sphere.equation s line in
+        let a, b, _ = Exact_sphere.equation s line in
         Some (a, b)
     | Quadric q
       when h.part = 0
@@ -330,7 +330,7 @@ let instanced (l, steps) =
   match Transform.of_steps steps with
   | Error _ -> true
   | Ok transform -> (
-      let m = Transform.forward transform in
+      let m = (Transform.forward transform).high in
       let s =
         Surface.seen_through ~transform
           (Surface.group [| Shapes.surface 0 shape |])

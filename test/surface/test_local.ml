@@ -9,17 +9,18 @@ let v = Vec.v
 
 (* {1 A surface and what it says of the point that a ray meets} *)
 
-let located (s : Shapes.t) ({ origin = o; direction = d; _ } : Ray.t) =
-  let cursor = { Cursor.t = infinity } in
+let located (s : Shapes.t) ({ origin; direction; _ } : Ray.t) =
+  let cursor = Cursor.v infinity in
+  let ray = Object_ray.v origin direction in
   let ask meet locate =
-    let contact = meet o d Contact.none cursor in
+    let contact = meet ray Contact.none cursor in
     if Contact.is_none contact then None
-    else Some (locate o d cursor.t contact, contact)
+    else Some (locate ray cursor.t contact, contact)
   in
   match s with
-  | Sphere s -> ask (Sphere.meet s) (fun o d t _ -> Sphere.locate s o d t)
+  | Sphere s -> ask (Sphere.meet s) (Sphere.locate s)
   | Box b -> ask (Box.meet b) (Box.locate b)
-  | Triangle s -> ask (Triangle.meet s) (fun o d _ _ -> Triangle.locate s o d)
+  | Triangle s -> ask (Triangle.meet s) (fun ray _ _ -> Triangle.locate s ray)
   | Quadric q -> ask (Quadric.meet q) (Quadric.locate q)
 
 let found f { Family.shape; ray } =
@@ -332,7 +333,8 @@ let apex () =
   let q = Made.quadric cone in
   let d = v 0. 0. 1. in
   let contact = Contact.v ~part:0 Outside in
-  let l = Quadric.locate q (p 0. 0. (-5.)) d 5. contact in
+  let ray = Object_ray.v (p 0. 0. (-5.)) d in
+  let l = Quadric.locate q ray 5. contact in
   Alcotest.(check bool) "the apex" true (Point.equal Point.origin l.point);
   Alcotest.(check bool)
     "back along the ray" true

@@ -202,28 +202,25 @@ let moved_by_whole_numbers ({ Shapes.shapes; ray }, offsets) =
       same "translated" (nearest flat ray) (nearest deep ray)
   | _ -> true
 
-let rows (m : Affine.t) =
-  Exact.
-    ( [|
-        v (q m.xx) (q m.xy) (q m.xz);
-        v (q m.yx) (q m.yy) (q m.yz);
-        v (q m.zx) (q m.zy) (q m.zz);
-      |],
-      v (q m.xt) (q m.yt) (q m.zt) )
-
-(* The exact inverse image of a line under an affine map. *)
-let exactly_back m { Crossing.origin; direction } =
-  let r, t = rows m in
-  let c0 = Exact.cross r.(1) r.(2)
-  and c1 = Exact.cross r.(2) r.(0)
-  and c2 = Exact.cross r.(0) r.(1) in
-  let det = Exact.dot r.(0) c0 in
-  let solve (a : Exact.vec) =
-    Exact.scale (Q.inv det)
-      (Exact.add (Exact.scale a.x c0)
-         (Exact.add (Exact.scale a.y c1) (Exact.scale a.z c2)))
+(* The exact inverse image of a line under a map of pairs of doubles. *)
+let exactly_back transform line =
+  let { Wide_affine.high = m; low = l } = Transform.forward transform in
+  let open Exact in
+  let v (x, x') (y, y') (z, z') = v (q x + q x') (q y + q y') (q z + q z') in
+  let rx = v (m.xx, l.xx) (m.xy, l.xy) (m.xz, l.xz)
+  and ry = v (m.yx, l.yx) (m.yy, l.yy) (m.yz, l.yz)
+  and rz = v (m.zx, l.zx) (m.zy, l.zy) (m.zz, l.zz)
+  and shift = v (m.xt, l.xt) (m.yt, l.yt) (m.zt, l.zt) in
+  let x = cross ry rz and y = cross rz rx and z = cross rx ry in
+  let solve (a : vec) =
+    scale
+      (Q.inv (dot rx x))
+      (add (scale a.x x) (add (scale a.y y) (scale a.z z)))
   in
-  { Crossing.origin = solve (Exact.sub origin t); direction = solve direction }
+  {
+    Crossing.origin = solve (sub line.Crossing.origin shift);
+    direction = solve line.direction;
+  }
 
 let step =
   let open Gen in
@@ -248,18 +245,14 @@ let nested_transforms (levels, (n, far)) =
   in
   let center =
     List.fold_left
-      (fun p t -> Affine.point (Transform.forward t) p)
+      (fun p t -> Affine.point (Transform.forward t).high p)
       (Sphere.center sphere) transforms
   in
   let o = Draw.move center n far in
   let ray =
     Ray.v o (Draw.toward o (Draw.move center (Vec.v 0.3 (-0.2) 0.1) 1.))
   in
-  let line =
-    List.fold_right
-      (fun t line -> exactly_back (Transform.forward t) line)
-      transforms (Crossing.line ray)
-  in
+  let line = List.fold_right exactly_back transforms (Crossing.line ray) in
   match
     ( Surface.nearest s ray,
       Crossing.first (Exact_sphere.truth sphere line).crossings )

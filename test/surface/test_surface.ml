@@ -2,8 +2,11 @@ let () =
   Alcotest.run "surface"
     [
       Test_sphere.suite;
+      Test_catalogue.suite;
       Test_box.suite;
       Test_triangle.suite;
+      Test_mesh.suite;
+      Test_oracle.suite;
       Test_polygon.suite;
       Test_form.suite;
       Test_half_space.suite;

@@ -89,10 +89,16 @@ let mean (s : Scene.t) =
     List.init s.settings.spp (fun sample ->
         Pixel.sample pixel tally ~x ~y ~sample)
   in
-  let total = List.fold_left Rgb.add Rgb.black samples in
+  let mean part =
+    let add sum c = Exact.(sum + q (part c)) in
+    Q.to_float (List.fold_left add Exact.zero samples) /. n
+  in
   Rgb.equal
     (Pixel.radiance pixel tally ~x ~y)
-    (Rgb.v (total.r /. n) (total.g /. n) (total.b /. n))
+    (Rgb.v
+       (mean (fun c -> c.Rgb.r))
+       (mean (fun c -> c.Rgb.g))
+       (mean (fun c -> c.Rgb.b)))
 
 let parts () =
   let s = scene ~forms:[ "(sphere (center 0 0 0) (radius 1))" ] Written.plain in
@@ -134,7 +140,8 @@ let suite =
       Law.law ~count:100 ~print:show
         "pixels do not depend on the order of asking" (Drawn.scene Round)
         any_order;
-      Law.law ~count:100 ~print:show "a pixel is the mean of its samples"
+      Law.law ~count:100 ~print:show
+        "a pixel is the mean of its samples, their sum rounded once"
         (Drawn.scene Round) mean;
       Law.example "a compiled scene tells its plan and surface" parts;
       Law.example "radiance that is not finite is counted and kept" non_finite;

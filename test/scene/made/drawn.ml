@@ -27,7 +27,8 @@ let unit_sphere = Scaled.valid (Sphere.make ~center:Point.origin ~radius:1.)
 
 (** Some point of a surface, for tests that need one. *)
 let some_point =
-  Sphere.locate unit_sphere (Point.v 0. 0. 5.) (Vec.v 0. 0. (-1.)) 4.
+  let ray = Object_ray.v (Point.v 0. 0. 5.) (Vec.v 0. 0. (-1.)) in
+  Sphere.locate unit_sphere ray 4. (Contact.v ~part:0 Outside)
 
 let rgb =
   let+ r = Draw.pick [ 0.; 0.2; 0.5; 0.75; 1. ]

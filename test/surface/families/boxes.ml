@@ -17,7 +17,7 @@ let kind =
   {
     Family.show;
     answer = (fun b -> answer (Surface.box b ()));
-    truth = Exact_box.truth;
+    truth = Exact_box.truth_along;
   }
 
 let family name cases = { Family.name; cases }
@@ -66,6 +66,12 @@ let aimed =
      let* d = unit and* far = wide 0. 5. in
      let o = move c d far in
      return (case shape (Ray.v o (toward o target))))
+
+let plain =
+  family "ordinary boxes, met anywhere and missed"
+    (let* a = point (uniform (-3.) 3.) and* b = point (uniform (-3.) 3.) in
+     let* o = point (uniform (-9.) 9.) and* target = point (uniform (-3.) 3.) in
+     return (case (between a b ~flat:3) (Ray.v o (toward o target))))
 
 let whole =
   family "whole numbers: ties at edges, origins in faces"
@@ -123,4 +129,4 @@ let scaled =
      let* k = wide (-300.) 300. in
      return (case shape (Ray.v o (Vec.scale k (toward o target)))))
 
-let all = [ aimed; whole; through; parallel; slanted; anything; scaled ]
+let all = [ plain; aimed; whole; through; parallel; slanted; anything; scaled ]

@@ -47,7 +47,7 @@ let kind =
   {
     Family.show;
     answer = (fun q -> answer (Surface.quadric q ()));
-    truth = (fun q -> Exact_quadric.(truth (of_quadric q)));
+    truth = (fun q -> Exact_quadric.(truth_along (of_quadric q)));
   }
 
 let family name cases = { Family.name; cases }

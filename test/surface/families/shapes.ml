@@ -29,10 +29,10 @@ let surface m = function
 let answer s = answer (surface () s)
 
 let truth = function
-  | Sphere s -> Exact_sphere.truth s
-  | Box b -> Exact_box.truth b
-  | Triangle s -> Exact_triangle.truth s
-  | Quadric q -> Exact_quadric.(truth (of_quadric q))
+  | Sphere s -> Exact_sphere.truth_along s
+  | Box b -> Exact_box.truth_along b
+  | Triangle s -> Exact_triangle.truth_along s
+  | Quadric q -> Exact_quadric.(truth_along (of_quadric q))
 
 let kind = { Family.show; answer; truth }
 

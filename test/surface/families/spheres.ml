@@ -14,7 +14,7 @@ let kind =
   {
     Family.show;
     answer = (fun s -> answer (Surface.sphere s ()));
-    truth = Exact_sphere.truth;
+    truth = Exact_sphere.truth_along;
   }
 
 let family name cases = { Family.name; cases }

@@ -16,7 +16,7 @@ let kind =
   {
     Family.show;
     answer = (fun s -> answer (Surface.triangle s ()));
-    truth = Exact_triangle.truth;
+    truth = Exact_triangle.truth_along;
   }
 
 let family name cases = { Family.name; cases }
@@ -50,8 +50,18 @@ let point_of s =
 
 let random = triangle_of (point (uniform (-3.) 3.))
 
+let plain =
+  family "ordinary triangles, met anywhere and missed"
+    (let* s = random and* target = point (uniform (-2.) 2.) in
+     let* o = point (uniform (-9.) 9.) in
+     let { Triangle.a; b; c } = corners s in
+     let* u = uniform 0. 1. and* v = uniform 0. 1. and* inside = bool in
+     let within = middle (middle a b u) c v in
+     let target = if inside then within else target in
+     return (case s (Ray.v o (toward o target))))
+
 let ordinary =
-  family "ordinary triangles, aimed at corners, edges and faces"
+  family "triangles aimed at corners, edges and faces"
     (let* s = random in
      let* target = point_of s and* o = point (uniform (-9.) 9.) in
      return (case s (Ray.v o (toward o target))))
@@ -191,6 +201,7 @@ let anything =
 
 let all =
   [
+    plain;
     ordinary;
     whole;
     through;

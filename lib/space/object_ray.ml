@@ -1,0 +1,65 @@
+open Candor_number
+
+type t = {
+  origin : Point.t;
+  direction : Vec.t;
+  origin_low : Vec.t;
+  direction_low : Vec.t;
+  exact : bool;
+}
+
+let is_zero (a : Vec.t) = a.x = 0. && a.y = 0. && a.z = 0.
+
+let of_ray ({ origin; direction; direction_low; _ } : Ray.t) =
+  {
+    origin;
+    direction;
+    origin_low = Vec.zero;
+    direction_low;
+    exact = is_zero direction_low;
+  }
+
+let v origin direction = of_ray (Ray.v origin direction)
+
+let through m r =
+  let origin, origin_low = Wide_affine.point m r.origin r.origin_low
+  and direction, direction_low =
+    Wide_affine.vector m r.direction r.direction_low
+  in
+  let exact = is_zero origin_low && is_zero direction_low in
+  { origin; direction; origin_low; direction_low; exact }
+
+let ldexp ~length ~time r =
+  {
+    r with
+    origin = Point.ldexp length r.origin;
+    origin_low = Vec.ldexp length r.origin_low;
+    direction = Vec.ldexp time r.direction;
+    direction_low = Vec.ldexp time r.direction_low;
+  }
+
+let plus (a : Expansion.vec) (b : Vec.t) =
+  let open Expansion in
+  {
+    x = add a.x (of_float b.x);
+    y = add a.y (of_float b.y);
+    z = add a.z (of_float b.z);
+  }
+
+let from r p = plus (Unrounded.diff r.origin p) r.origin_low
+let toward r = plus (Unrounded.vec r.direction) r.direction_low
+
+let pair_from r p =
+  let f = Unrounded.pair_diff r.origin p in
+  if r.exact then f
+  else
+    let low x = Double_double.of_float x and { Vec.x; y; z } = r.origin_low in
+    let open Double_double in
+    { x = add f.x (low x); y = add f.y (low y); z = add f.z (low z) }
+
+let pair_near_one { direction = d; direction_low = l; _ } =
+  let _, e = Float.frexp (Vec.largest d) in
+  let pair hi lo =
+    { Error_free.hi = Float.ldexp hi (-e); lo = Float.ldexp lo (-e) }
+  in
+  ({ Double_double.x = pair d.x l.x; y = pair d.y l.y; z = pair d.z l.z }, e)

@@ -1,0 +1,1 @@
+type t = Stable | Textbook [@@deriving show, eq, ord]

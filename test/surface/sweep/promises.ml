@@ -1,0 +1,18 @@
+(* What the library promises of every kind of surface, all in one place. *)
+
+(** [ulps kind] is how many ulps a t may be off, besides a slack of 2^-96 of
+    size and distance, in units of the direction. *)
+let ulps = function
+  | "box" -> 2.
+  | "triangle" | "polygon" -> 4.
+  | "quadric" | "clip" -> 6.
+  | _ -> 5. (* spheres, and what is in groups *)
+
+(** [blur] is what is forgiven of a ray that enters groups, as a share of the
+    sizes that add up to a coordinate in the space of each group around. *)
+let blur = 0x1p-96
+
+(** [offset kind] is how far a ray may start from the hit that it leaves, in
+    2^-53 of the coordinates of hit and surface. What is in a group owes more to
+    its transform. *)
+let offset = function "nested" -> 64. | _ -> 8.

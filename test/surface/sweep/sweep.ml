@@ -1,0 +1,142 @@
+(* Every family of a kind of surface against the exact truth.
+
+   sweep.exe table CASES KIND prints what it finds; sweep.exe check CASES KIND
+   speaks only of what is wrong. Either fails where a decision is wrong, or where
+   a t or an offset is off by more than is promised. *)
+
+open Candor_surface
+open Candor_oracle
+open Candor_surface_families
+
+type 'shape subject = {
+  kind : 'shape Family.kind;
+  kernels : 'shape Speed.kernels;
+  surface : 'shape -> unit Surface.t;
+  families : 'shape Family.t list;
+}
+
+type any = Any : 'shape subject -> any
+
+let subjects =
+  let open Speed in
+  let none = Contact.none in
+  let quadrics =
+    {
+      kind = Quadrics.kind;
+      kernels =
+        {
+          ours = alone (fun s r c -> Quadric.meet s r none c);
+          textbook = Some (plainly Textbook.quadric);
+        };
+      surface = (fun q -> Surface.quadric q ());
+      families = Quadrics.all;
+    }
+  in
+  [
+    ( "sphere",
+      Any
+        {
+          kind = Spheres.kind;
+          kernels =
+            {
+              ours = alone (fun s r c -> Sphere.meet s r none c);
+              textbook = Some (plainly Textbook.sphere);
+            };
+          surface = (fun s -> Surface.sphere s ());
+          families = Spheres.all;
+        } );
+    ( "box",
+      Any
+        {
+          kind = Boxes.kind;
+          kernels =
+            {
+              ours = alone (fun s r c -> Box.meet s r none c);
+              textbook = Some (plainly Textbook.box);
+            };
+          surface = (fun b -> Surface.box b ());
+          families = Boxes.all;
+        } );
+    ( "triangle",
+      Any
+        {
+          kind = Triangles.kind;
+          kernels =
+            {
+              ours = alone (fun s r c -> Triangle.meet s r none c);
+              textbook = Some (plainly Textbook.triangle);
+            };
+          surface = (fun s -> Surface.triangle s ());
+          families = Triangles.all;
+        } );
+    ("quadric", Any quadrics);
+    ("clip", Any { quadrics with families = Clips.all });
+    ( "polygon",
+      Any
+        {
+          kind = Polygons.kind;
+          kernels =
+            { ours = query (fun s -> s.Polygons.surface); textbook = None };
+          surface = (fun s -> s.Polygons.surface);
+          families = Polygons.all;
+        } );
+    ( "nested",
+      Any
+        {
+          kind = Nested.kind ~blur:Promises.blur;
+          kernels =
+            { ours = query (fun s -> s.Nested.surface); textbook = None };
+          surface = (fun s -> s.Nested.surface);
+          families = Nested.all;
+        } );
+  ]
+
+(* Whether all is well with a family. *)
+let family ~print kind ~count { kind = judge; kernels; surface; families = _ }
+    family =
+  let name = family.Family.name in
+  let ulps = Promises.ulps kind and within = Promises.offset kind in
+  let spawned = Score.make () and far = ref None in
+  let observe case =
+    if not (Offsets.judge spawned surface ~within case) then far := Some case
+  in
+  let { Family.tally; failure } =
+    Family.run ~observe judge ~ulps ~count family
+  in
+  if print then
+    Printf.printf "%-64s %s %4.0f %s %s\n%!" name (Score.row tally) ulps
+      (Offsets.row spawned) (Speed.row kernels family);
+  Option.iter prerr_endline failure;
+  Option.iter
+    (fun case ->
+      Printf.eprintf "%s: offsets up to %g u of the coordinates, not %g:\n%s\n"
+        name spawned.greatest within (Family.show judge case))
+    !far;
+  Score.wrong tally = 0 && Option.is_none !far
+
+let run ~print ~count kind =
+  match List.assoc_opt kind subjects with
+  | None ->
+      let kinds = String.concat ", " (List.map fst subjects) in
+      Printf.eprintf "no kind `%s`, only %s\n" kind kinds;
+      false
+  | Some (Any subject) ->
+      if print then
+        Printf.printf "%-64s %s %4s %s %s\n%!" kind Score.heading "may"
+          Offsets.heading Speed.heading;
+      List.map (family ~print kind ~count subject) subject.families
+      |> List.for_all Fun.id
+
+let () =
+  let usage = "sweep.exe (table|check) CASES KIND" in
+  match Array.to_list Sys.argv with
+  | [ _; (("table" | "check") as what); cases; kind ] -> (
+      match int_of_string_opt cases with
+      | Some count when count > 0 ->
+          if not (run ~print:(what = "table") ~count kind) then exit 1
+      | _ ->
+          prerr_endline usage;
+          exit 2)
+  | _ ->
+      prerr_endline usage;
+      exit 2
