@@ -8,13 +8,16 @@ open Candor_scene_made
 
 let folder = Filename.(concat (dirname Sys.executable_name) "../../scenes")
 
-let files =
-  match Sys.readdir folder with
+let scenes_in sub =
+  match Sys.readdir (Filename.concat folder sub) with
   | files ->
       Array.to_list files
       |> List.filter (fun f -> Filename.check_suffix f ".scene")
       |> List.sort String.compare
+      |> List.map (Filename.concat sub)
   | exception Sys_error _ -> []
+
+let files = List.concat_map scenes_in [ ""; "hard" ]
 
 let read file =
   match Scene_file.read (Filename.concat folder file) with

@@ -6,4 +6,5 @@ let () =
       Test_pictures.suite;
       Test_laws.suite;
       Test_scenes.suite;
+      Test_hard.suite;
     ]
