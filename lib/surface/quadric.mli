@@ -31,7 +31,7 @@ val pp : Format.formatter -> t -> unit
 val show : t -> string
 val compare : t -> t -> int
 
-val body : t -> Cut_form.t
+val body : t -> Piece.t
 (** [body q] is the polynomial with its cuts. *)
 
 val bounds : t -> Bounds.t

@@ -86,7 +86,7 @@ let beyond (h : Half_space.t) (p : Point.t) =
   +. (h.nz *. (p.z -. h.pz))
   -. h.c
 
-let within (q : Cut_form.t) p ~except =
+let within (q : Piece.t) p ~except =
   let rec all i =
     i = Array.length q.cuts
     || ((i = except || beyond q.cuts.(i) p <= 0.) && all (i + 1))
@@ -107,7 +107,7 @@ let root q o d t side (cursor : Cursor.t) =
     Cursor.take cursor t (Contact.v ~part:0 side)
   else Contact.none
 
-let form (q : Cut_form.t) (o : Point.t) (d : Vec.t) cursor =
+let form (q : Piece.t) (o : Point.t) (d : Vec.t) cursor =
   let f = q.form in
   let x = o.x -. f.cx and y = o.y -. f.cy and z = o.z -. f.cz in
   let ux = (f.axx *. d.x) +. (f.axy *. d.y) +. (f.axz *. d.z)
@@ -129,7 +129,7 @@ let form (q : Cut_form.t) (o : Point.t) (d : Vec.t) cursor =
       let falling = root q o d ((-.b -. s) /. a) Outside cursor in
       later falling (root q o d ((-.b +. s) /. a) Inside cursor)
 
-let disk (q : Cut_form.t) (o : Point.t) (d : Vec.t) end_ (cursor : Cursor.t) =
+let disk (q : Piece.t) (o : Point.t) (d : Vec.t) end_ (cursor : Cursor.t) =
   let h = q.cuts.(end_) in
   let speed = Vec.dot (Vec.v h.nx h.ny h.nz) d in
   let t = -.beyond h o /. speed in
@@ -193,7 +193,7 @@ let locate_triangle (s : Triangle.t) ray t =
 
 let locate_quadric q (ray : Object_ray.t) t contact =
   let p = here ray t in
-  let { Cut_form.form; cuts; linear; _ } = Quadric.body q in
+  let { Piece.form; cuts; linear; _ } = Quadric.body q in
   let outward =
     match Contact.part contact with
     | 0 -> Form.gradient form (Point.sub p (Form.center form))

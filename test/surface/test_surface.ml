@@ -10,6 +10,10 @@ let () =
       Test_polygon.suite;
       Test_form.suite;
       Test_half_space.suite;
+      Test_piece.suite;
+      Test_careful_form.suite;
+      Test_plain_form.suite;
+      Test_disk.suite;
       Test_cut_form.suite;
       Test_quadric.suite;
       Test_bvh.suite;
@@ -18,6 +22,9 @@ let () =
       Test_reach.suite;
       Test_contact.suite;
       Test_cursor.suite;
+      Test_effort.suite;
+      Test_math.suite;
+      Test_textbook.suite;
       Test_root.suite;
       Test_flat.suite;
       Test_border.suite;
