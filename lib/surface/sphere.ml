@@ -31,16 +31,11 @@ let[@inline] choose a h c s ~back cursor =
     else Cursor.take cursor (q /. a *. back) inside
   else Cursor.take cursor (c /. -.(h +. s) *. back) inside
 
-(* The power of the origin, f.f - r^2, in twice the precision: it is lost in the
-   rounding of the squares near the sphere. *)
-let[@inline] power s (ray : Object_ray.t) =
+(* The power of the origin, f.f - r^2 with f + l for f, in twice the precision:
+   near the sphere it is lost in the rounding of the squares. *)
+let[@inline] power r fx fy fz lx ly lz =
   let open Error_free in
-  let o = ray.origin and o' = ray.origin_low in
-  let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
-  let lx = sum_error o.x (-.s.x) fx +. o'.x
-  and ly = sum_error o.y (-.s.y) fy +. o'.y
-  and lz = sum_error o.z (-.s.z) fz +. o'.z in
-  let r2 = s.radius *. s.radius in
+  let r2 = r *. r in
   let x2 = fx *. fx and y2 = fy *. fy and z2 = fz *. fz in
   let c1 = x2 -. r2 in
   let c2 = c1 +. y2 in
@@ -48,9 +43,8 @@ let[@inline] power s (ray : Object_ray.t) =
   c3
   +. (sum_error x2 (-.r2) c1 +. sum_error c1 y2 c2 +. sum_error c2 z2 c3
     +. product_error fx fx x2 +. product_error fy fy y2
-    +. product_error fz fz z2
-     -. product_error s.radius s.radius r2
-     +. (2. *. ((fx *. lx) +. (fy *. ly) +. (fz *. lz))))
+    +. product_error fz fz z2 -. product_error r r r2
+     +. (2. *. dot fx fy fz lx ly lz))
 
 (* The second tier. Every number that cancels is carried as a sum hi + lo of two
    doubles, after T. Ogita, S. M. Rump, S. Oishi, Accurate Sum and Dot Product,
@@ -114,7 +108,7 @@ let meet_carefully s (ray : Object_ray.t) ~back cursor =
   in
   if not (g >= 0.) then Contact.none
   else
-    let c = power s ray in
+    let c = power s.radius fx fy fz lx ly lz in
     choose a h c (sqrt (a *. g)) ~back cursor
 
 (* For what the first tier cannot do: the direction is scaled to about 1 by a
@@ -160,7 +154,15 @@ let meet_freely s (ray : Object_ray.t) cursor =
   then
     let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
     let g = r2 -. p2 +. (rest *. rest /. a) in
-    choose a h (power s ray) (sqrt (a *. g)) ~back:1. cursor
+    let lx = Error_free.sum_error o.x (-.s.x) fx +. o'.x
+    and ly = Error_free.sum_error o.y (-.s.y) fy +. o'.y
+    and lz = Error_free.sum_error o.z (-.s.z) fz +. o'.z in
+    let low =
+      Error_free.(dot lx ly lz dx dy dz +. dot fx fy fz d'.x d'.y d'.z)
+    in
+    let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
+    let c = power s.radius fx fy fz lx ly lz in
+    choose a h c (sqrt (a *. g)) ~back:1. cursor
   else meet_carefully s ray ~back:1. cursor
 
 (* With the origin on the sphere the equation is t (a t + 2 h) = 0. *)

@@ -12,7 +12,14 @@ let ulps = function
     sizes that add up to a coordinate in the space of each group around. *)
 let blur = 0x1p-96
 
-(** [offset kind] is how far a ray may start from the hit that it leaves, in
-    2^-53 of the coordinates of hit and surface. What is in a group owes more to
-    its transform. *)
-let offset = function "nested" -> 64. | _ -> 8.
+(** [offset kind family] is how far a ray may start from the hit that it leaves,
+    in 2^-53 of the coordinates of hit and surface. What is in a group owes more
+    to its transform. Double planes and lone points have no gradient to go by.
+*)
+let offset kind family =
+  match kind with
+  | "nested" -> 64.
+  | "quadric"
+    when String.equal family Candor_surface_families.Quadrics.whole.name ->
+      infinity
+  | _ -> 8.
