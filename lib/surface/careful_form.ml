@@ -40,6 +40,20 @@ let bend f (ray : Object_ray.t) =
     a
   else exact_bend f ray
 
+(* F at the origin y + y'. On the surface, or all but, it is taken exactly. *)
+let value q ray y y' =
+  let f = q.form in
+  let c = Form.value f y y' in
+  let far = Vec.norm y in
+  let size =
+    (((f.a_size *. far) +. (2. *. f.g_size)) *. far) +. Float.abs f.k
+  in
+  if Float.abs c.hi > 0x1p-45 *. size then c
+  else
+    let _, _, c = exact_equation q ray in
+    let hi = Expansion.to_float c in
+    { Error_free.hi; lo = Expansion.(to_float (sub c (of_float hi))) }
+
 (* b^2 - a c, each a sum of two doubles. *)
 let discriminant (a : Error_free.t) (b : Error_free.t) (c : Error_free.t) =
   Error_free.difference_of_products b.hi b.hi a.hi c.hi
@@ -59,7 +73,7 @@ let meet q ray cursor =
   let d = near.direction and d' = near.direction_low in
   let y, y' = from_center q near in
   let a = bend q.form near in
-  let b = Form.rise q.form y y' d d' and c = Form.value q.form y y' in
+  let b = Form.rise q.form y y' d d' and c = value q near y y' in
   if a.hi = 0. then
     if b.hi = 0. then Contact.none
     else consider q ray (back (-.c.hi /. (2. *. b.hi))) b.hi First cursor

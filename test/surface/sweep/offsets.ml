@@ -13,19 +13,31 @@ let size (box : Bounds.t) ({ Point.x; y; z } : Point.t) =
   in
   most box.x0 box.x1 x +. most box.y0 box.y1 y +. most box.z0 box.z1 z
 
-let offset surface ray =
-  Option.map
-    (fun (h : _ Hit.t) ->
-      let size = size (Surface.bounds surface) h.point in
-      if h.offset = 0. then 0. else h.offset /. (0x1p-53 *. size))
-    (Surface.nearest surface ray)
+(** [at_apex q p] is whether [p] is as good as at the apex of the cone [q],
+    where the gradient that bounds the offset vanishes. *)
+let at_apex q p =
+  match Quadric.shape q with
+  | Cone { apex; base; _ } ->
+      Vec.norm (Point.sub p apex) < 0x1p-16 *. Vec.norm (Point.sub base apex)
+  | Matrix _ | Form _ | Plane _ | Ellipsoid _ | Cylinder _ | Paraboloid _
+  | Hyperbolic_paraboloid _ | Hyperboloid_one_sheet _ | Hyperboloid_two_sheets _
+    ->
+      false
+
+let offset ~exempt surface ray =
+  Option.bind (Surface.nearest surface ray) (fun (h : _ Hit.t) ->
+      if exempt h.point then None
+      else
+        Some
+          (let size = size (Surface.bounds surface) h.point in
+           if h.offset = 0. then 0. else h.offset /. (0x1p-53 *. size)))
 
 let heading = Printf.sprintf "%6s %6s" "off p99" "max u"
 
-(** [judge tally surface ~within case] counts the offset in [case], if it hits,
-    and is whether it stays within. *)
-let judge tally surface ~within { Family.shape; ray } =
-  match offset (surface shape) ray with
+(** [judge tally ~exempt surface ~within case] counts the offset in [case], if
+    it hits where it is not exempt, and is whether it stays within. *)
+let judge tally ~exempt surface ~within { Family.shape; ray } =
+  match offset ~exempt:(exempt shape) (surface shape) ray with
   | None -> true
   | Some u ->
       Score.error tally u;
