@@ -164,11 +164,15 @@ let valid (ray : Ray.t) limit =
   && Vec.largest ray.direction > 0.
   && limit > 0.
 
+let math_of = function
+  | Group { math; _ } -> math
+  | Sphere _ | Box _ | Triangle _ | Quadric _ -> Math.Stable
+
 (* The textbook's epsilon is a length, t is in units of the direction. *)
-let least surface (ray : Ray.t) =
-  match surface with
-  | Group { math = Textbook; _ } -> Textbook.epsilon /. Vec.norm ray.direction
-  | Group { math = Stable; _ } | Sphere _ | Box _ | Triangle _ | Quadric _ -> 0.
+let least (math : Math.t) (ray : Ray.t) =
+  match math with
+  | Textbook -> Textbook.epsilon /. Vec.norm ray.direction
+  | Stable -> 0.
 
 let start surface (ray : Ray.t) limit =
   let rest, left =
@@ -176,13 +180,14 @@ let start surface (ray : Ray.t) limit =
     | Nowhere -> ([], Contact.none)
     | Surface { path; part; side } -> (path, Contact.v ~part side)
   in
+  let math = math_of surface in
   {
     ray = Object_ray.of_ray ray;
-    math = Stable;
+    math;
     rest;
     left;
     entered = [];
-    cursor = Cursor.v ~least:(least surface ray) limit;
+    cursor = Cursor.v ~least:(least math ray) limit;
     best = { found = None };
   }
 
@@ -190,8 +195,7 @@ let start surface (ray : Ray.t) limit =
    not count. *)
 let run surface search test =
   match surface with
-  | Group ({ transform = None; math; _ } as g) ->
-      visit g { search with math } test
+  | Group ({ transform = None; _ } as g) -> visit g search test
   | Sphere _ | Box _ | Triangle _ | Quadric _ | Group { transform = Some _; _ }
     ->
       test search 0 surface
