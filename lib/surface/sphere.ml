@@ -21,14 +21,21 @@ let bounds s =
 let outside = Contact.v ~part:0 Outside
 let inside = Contact.v ~part:0 Inside
 
+(* d.d in twice the precision. *)
+let squared (ray : Object_ray.t) =
+  let open Error_free in
+  let { Vec.x; y; z } = ray.direction and d' = ray.direction_low in
+  let a = dot x y z x y z in
+  a +. (dot_error x y z x y z a +. (2. *. dot x y z d'.x d'.y d'.z))
+
 (* Of the roots near <= far of a t^2 + 2 h t + c, with s the root of h^2 - ac;
    [back] takes them to units of the ray's own direction. *)
-let[@inline] choose a h c s ~back cursor =
+let[@inline] choose ray h c s ~back cursor =
   if h < 0. then
     let q = s -. h in
     let near = c /. q *. back in
     if near > 0. then Cursor.take cursor near outside
-    else Cursor.take cursor (q /. a *. back) inside
+    else Cursor.take cursor (q /. squared ray *. back) inside
   else Cursor.take cursor (c /. -.(h +. s) *. back) inside
 
 (* The power of the origin, f.f - r^2 with f + l for f, in twice the precision:
@@ -60,10 +67,7 @@ let meet_carefully s (ray : Object_ray.t) ~back cursor =
   let lx = sum_error o.x (-.s.x) fx +. o'.x
   and ly = sum_error o.y (-.s.y) fy +. o'.y
   and lz = sum_error o.z (-.s.z) fz +. o'.z in
-  let a = dot dx dy dz dx dy dz in
-  let a =
-    a +. (dot_error dx dy dz dx dy dz a +. (2. *. dot dx dy dz d'.x d'.y d'.z))
-  in
+  let a = squared ray in
   (* h = f.d *)
   let hx = fx *. dx and hy = fy *. dy and hz = fz *. dz in
   let h2 = hx +. hy in
@@ -109,7 +113,7 @@ let meet_carefully s (ray : Object_ray.t) ~back cursor =
   if not (g >= 0.) then Contact.none
   else
     let c = power s.radius fx fy fz lx ly lz in
-    choose a h c (sqrt (a *. g)) ~back cursor
+    choose ray h c (sqrt (a *. g)) ~back cursor
 
 (* For what the first tier cannot do: the direction is scaled to about 1 by a
    power of two. *)
@@ -150,7 +154,7 @@ let meet_freely s (ray : Object_ray.t) cursor =
   else if p2 > r2 +. band then Contact.none
   else if
     (* Near its edge the sphere is met with care. *)
-    p2 < 0.75 *. r2 && lost *. lost <= 0x1p-106 *. f2
+    p2 < 0.6 *. r2 && lost *. lost <= 0x1p-106 *. f2
   then
     let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
     let g = r2 -. p2 +. (rest *. rest /. a) in
@@ -162,7 +166,7 @@ let meet_freely s (ray : Object_ray.t) cursor =
     in
     let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
     let c = power s.radius fx fy fz lx ly lz in
-    choose a h c (sqrt (a *. g)) ~back:1. cursor
+    choose ray h c (sqrt (a *. g)) ~back:1. cursor
   else meet_carefully s ray ~back:1. cursor
 
 (* With the origin on the sphere the equation is t (a t + 2 h) = 0. *)

@@ -99,6 +99,30 @@ let hex () =
     (numbers (cast ~args:[ "--hex" ] ray).out)
     (numbers (cast ray).out)
 
+(* From 1e9 away the textbook is off by the radius, and from 5 away it is not. *)
+let naive () =
+  let rays =
+    lines [ "0 0 1e9 0 0 -1"; "0 0 5 0 0 -1"; "0 0 1.000030517578125 0 0 -1" ]
+  in
+  check_text "Candor's"
+    (lines
+       [
+         "hit 999999999 0 0 1 0 0 1 0";
+         "hit 4 0 0 1 0 0 1 0";
+         "hit 3.0517578125e-05 0 0 1 0 0 1 0";
+         "";
+       ])
+    (cast rays).out;
+  check_text "the textbook's"
+    (lines
+       [
+         "hit 1000000000 0 0 0 1 0 0 0";
+         "hit 4 0 0 1 0 0 1 0";
+         "hit 2.000030517578125 0 0 -1 -0 -0 1 0";
+         "";
+       ])
+    (cast ~args:[ "--naive-math" ] rays).out
+
 let bad_lines () =
   let input =
     [
@@ -240,6 +264,7 @@ let suite =
       test "tmax is the last t that counts" limits;
       test "rays may be written in many ways" notations;
       test "--hex prints the same numbers exactly" hex;
+      test "--naive-math answers by the textbook" naive;
       test "bad lines are told; the rest goes on" bad_lines;
       test "input may be empty or lack its last end of line" empty;
       test "answers come line by line, without waiting for the end" conversation;

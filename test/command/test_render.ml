@@ -171,6 +171,37 @@ let quiet () =
   let r = run [ "render"; "none.scene"; "--quiet" ] in
   Alcotest.(check bool) "errors are still told" true (r.err <> "")
 
+let far =
+  {|(scene
+  (image (size 8 8))
+  (camera (orthographic (eye 0 0 1e9) (look-at 0 0 0) (height 2)))
+  (light (directional (direction 1 0 -1) (irradiance 1)))
+  (sphere (center 0 0 0) (radius 1)))
+|}
+
+(* The textbook never takes care, and from afar it shows. *)
+let naive () =
+  let ledger args = (fine ([ "render"; "s.scene" ] @ args)).err in
+  render [ "-o"; "a.pfm" ];
+  let text = ledger [ "-o"; "b.pfm"; "--naive-math" ] in
+  let numerics =
+    List.find
+      (String.starts_with ~prefix:"  numerics")
+      (String.split_on_char '\n' text)
+  in
+  mentions numerics "  numerics   0 of ";
+  mentions numerics " tests needed more than plain doubles; 0 non-finite";
+  Alcotest.(check bool)
+    "Candor needs more at times" false
+    (contains (ledger [ "-o"; "c.pfm" ]) "  numerics   0 of ");
+  check_text "without it the picture is Candor's" (read "a.pfm") (read "c.pfm");
+  write "s.scene" far;
+  render [ "-o"; "a.pfm" ];
+  render [ "-o"; "b.pfm"; "--naive-math" ];
+  Alcotest.(check bool)
+    "another picture from afar" false
+    (String.equal (read "a.pfm") (read "b.pfm"))
+
 let stats () =
   render [ "-o"; "a.ppm"; "--stats"; "t.json"; "-j"; "2" ];
   let j = Json_reader.parse (read "t.json") in
@@ -228,4 +259,5 @@ let suite =
       with_scene "the command line beats the scene" overrides;
       with_scene "--quiet says nothing; else a ledger on standard error" quiet;
       with_scene "--stats counts in whole numbers" stats;
+      with_scene "--naive-math renders by the textbook, never carefully" naive;
     ] )

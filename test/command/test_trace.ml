@@ -102,6 +102,27 @@ let samples () =
     (String.equal (first "1") (first "2"));
   check_text "the same again" (first "1") (first "1")
 
+(* Where the textbook's point and Candor's are the same, only what is known of
+   its error differs. *)
+let naive () =
+  write "m.scene" mirrors;
+  let trace args = (fine ([ "trace"; "m.scene"; "0"; "1" ] @ args)).out in
+  let text = trace [ "--naive-math" ] in
+  check_text "the same tree" (masked (trace [])) (masked text);
+  mentions text "  the true surface is within 0 of the point\n";
+  let far =
+    {|(scene
+  (image (size 1 1))
+  (camera (orthographic (eye 0 0 1e9) (look-at 0 0 0) (height 1)))
+  (render (spp 1))
+  (sphere (center 0 0 0) (radius 1)))
+|}
+  in
+  write "far.scene" far;
+  let trace args = (fine ([ "trace"; "far.scene"; "0"; "0" ] @ args)).out in
+  mentions (trace []) " at t = 999999999, ";
+  mentions (trace [ "--naive-math" ]) " at t = 1000000000, "
+
 let suite =
   ( "trace",
     [
@@ -109,4 +130,6 @@ let suite =
       with_scene "shadow rays and terms" lights;
       with_scene "the last line is the picture's pixel" agrees;
       with_scene "each sample has its own ray" samples;
+      example "--naive-math traces by the textbook, whose error is not known"
+        naive;
     ] )

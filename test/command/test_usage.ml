@@ -24,6 +24,7 @@ let helps () =
           "--crop";
           "--filter";
           "--all-effects";
+          "--naive-math";
           "--stats";
           "--quiet";
           "--binary";
@@ -31,8 +32,8 @@ let helps () =
         ] );
       ("check", [ "SCENE" ]);
       ("explain", [ "SCENE"; "--json"; "--depth" ]);
-      ("trace", [ "SCENE"; "X"; "Y"; "--sample" ]);
-      ("cast", [ "SCENE"; "--hex"; "tmax" ]);
+      ("trace", [ "SCENE"; "X"; "Y"; "--sample"; "--naive-math" ]);
+      ("cast", [ "SCENE"; "--hex"; "tmax"; "--naive-math" ]);
       ("diff", [ "A"; "B"; "--json"; "--threshold" ]);
     ];
   let r = fine [ "--help" ] in
@@ -48,6 +49,9 @@ let wrong_lines () =
       fails 2 "unknown option" [ c; "s.scene"; "--frob" ])
     [ "render"; "check"; "explain"; "cast"; "trace" ];
   fails 2 "unknown option" [ "render"; "s.scene"; "--hex" ];
+  List.iter
+    (fun c -> fails 2 "unknown option" [ c; "s.scene"; "--naive-math" ])
+    [ "explain"; "check" ];
   fails 2 "X" [ "trace"; "s.scene" ];
   fails 2 "Y" [ "trace"; "s.scene"; "1" ];
   fails 2 "" [ "trace"; "s.scene"; "one"; "2" ];

@@ -44,6 +44,52 @@ let directional () =
   check "a ball beside" true [ sun; ball 1e6 0.5 ] (0.6, 0.);
   check "what is below does not count" true [ sun; ball (-2.) 0.5 ] (0., 0.)
 
+(* A light that stands exactly on a surface is seen from all of that side, right
+   down to where the surface ends; what it stands on hides it from the other. *)
+let on_a_surface =
+  let across =
+    let beside e = e -. (7. /. 3.) in
+    QCheck2.Gen.oneof
+      [
+        Draw.uniform (-8.) 8.;
+        QCheck2.Gen.map beside (Draw.signed (Draw.wide (-15.) (-1.)));
+      ]
+  in
+  let standing name ~at surface ~seen ~hidden =
+    let reaches =
+      let light = Printf.sprintf "(light (point (at %s) (intensity 1)))" at in
+      let s = Lit.scene [ floor; light; surface ] in
+      let reach = Shadows.reach (Assembly.surface s) (List.hd s.lights) in
+      fun (x, y) -> reach (Tally.make ()) (Lit.hit s (x, y, 0.5) (0., 0., -1.))
+    in
+    Law.law ~count:500
+      ~print:(fun (x, y) -> Printf.sprintf "%h %h" x y)
+      ("a light exactly on " ^ name ^ " is seen from there alone")
+      QCheck2.Gen.(pair across (Draw.uniform (-8.) 8.))
+      (fun at ->
+        let lit = reaches at in
+        (lit || not (seen at)) && ((not lit) || not (hidden at)))
+  in
+  let everywhere _ = true and nowhere _ = false in
+  let can = "(from 0 0 4) (to 0 0 6) (radius 1)" in
+  let closed = Printf.sprintf "(quadric (cylinder %s) (caps))" can in
+  [
+    (* Its plane there meets the floor where 3x = -7. *)
+    standing "a ball" ~at:"3 0 4" "(sphere (center 0 0 8) (radius 5))"
+      ~seen:(fun (x, _) -> Float.fma 3. x 7. > 0.)
+      ~hidden:(fun (x, _) -> x < -2.3334);
+    standing "a can's cap" ~at:".25 .5 4" closed ~seen:everywhere
+      ~hidden:nowhere;
+    standing "a can's rim" ~at:"1 0 4" closed ~seen:everywhere ~hidden:nowhere;
+    standing "a can's side" ~at:"1 0 5" closed
+      ~seen:(fun (x, _) -> x > 1.0001)
+      ~hidden:(fun (x, _) -> x < 0.9999);
+    standing "a triangle's corner" ~at:"0 0 4"
+      "(triangle (0 0 4) (1 0 6) (0 1 6))" ~seen:everywhere ~hidden:nowhere;
+    standing "a box's corner" ~at:".1 .2 4.1"
+      "(box (min .1 .2 4.1) (max 1 1 6))" ~seen:everywhere ~hidden:nowhere;
+  ]
+
 (* No surface shades itself where it faces the light: every point of a ball. *)
 let own_surface =
   let print (x, y) = Printf.sprintf "%h %h" x y in
@@ -82,10 +128,11 @@ let own_surface =
 
 let suite =
   ( "shadows",
-    [
-      Law.example
-        "what is between a point and the light blocks it, nothing else" point;
-      Law.example "the edge of a ball's shadow is where geometry has it" edge;
-      Law.example "directional lights are infinitely far" directional;
-      own_surface;
-    ] )
+    on_a_surface
+    @ [
+        Law.example
+          "what is between a point and the light blocks it, nothing else" point;
+        Law.example "the edge of a ball's shadow is where geometry has it" edge;
+        Law.example "directional lights are infinitely far" directional;
+        own_surface;
+      ] )

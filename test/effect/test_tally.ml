@@ -18,6 +18,29 @@ let law name f =
     (QCheck2.Gen.pair some some)
     f
 
+(* A ball met [n] times through its middle, and [k] times by a hair. *)
+let of_rays (n, k) =
+  let open Candor_space in
+  let open Candor_surface in
+  let t = Tally.make () in
+  let ball =
+    match Sphere.make ~center:Point.origin ~radius:1. with
+    | Ok s -> Surface.sphere s ()
+    | Error why -> Alcotest.fail why
+  in
+  let ask x =
+    let ray = Ray.v (Point.v x 0. 9.) (Vec.v 0. 0. (-1.)) in
+    ignore
+      (Surface.nearest ball ~effort:(Tally.effort t) ray : unit Hit.t option)
+  in
+  List.iter ask (List.init n (fun _ -> 0.) @ List.init k (fun _ -> 1. -. 1e-15));
+  t
+
+let efforts ((n, k), (n', k')) =
+  let both e = Candor_surface.Effort.(tests e, careful e) in
+  both (Tally.effort (Tally.sum [ of_rays (n, k); of_rays (n', k') ]))
+  = (n + k + n' + k', k + k')
+
 let names () =
   let names = List.map Tally.name Tally.counters in
   Alcotest.(check int)
@@ -48,6 +71,14 @@ let suite =
               Tally.counters);
       law "the sum of tallies counts all of them" (fun (a, b) ->
           counts (Tally.sum [ of_list a; of_list b ]) = counts (of_list (a @ b)));
+      Law.law ~count:200
+        ~print:(fun ((n, k), (n', k')) ->
+          Printf.sprintf "%d, %d / %d, %d" n k n' k')
+        "the sum of tallies has the effort of all of them"
+        QCheck2.Gen.(
+          let some = int_bound 20 in
+          pair (pair some some) (pair some some))
+        efforts;
       Law.example "the sum of nothing is zero" (fun () ->
           Alcotest.(check bool)
             "zero" true

@@ -83,18 +83,30 @@ let extremes =
     -709021044362011754;
   ]
 
+(* The same for a sample in the last of a thousand rows, where the least number
+   above 999 + (1 - 2^-53) is 1000. *)
+let extremes_of_last_row =
+  [
+    (1846189562279299240, 0);
+    (-4584348220055875259, 2);
+    (4292809776189232567, 1);
+    (2295146701218088682, 1);
+  ]
+
 let at_the_edge () =
   let within { Pattern.u; v } =
     let in_tent u = -1. <= Pattern.tent u && Pattern.tent u < 1. in
     0. <= u && u < 1. && 0. <= v && v < 1. && in_tent u && in_tent v
   in
+  let check seed = Alcotest.(check bool) (Printf.sprintf "seed %d" seed) true in
   List.iter
-    (fun seed ->
-      Alcotest.(check bool)
-        (Printf.sprintf "seed %d" seed)
-        true
-        (Array.for_all within (positions ~seed ~spp:4 0 0)))
-    extremes
+    (fun seed -> check seed (Array.for_all within (positions ~seed ~spp:4 0 0)))
+    extremes;
+  List.iter
+    (fun (seed, sample) ->
+      let at = (positions ~seed ~spp:1000 0 0).(sample) in
+      check seed (within at && floor_of 1000 at.v = 999))
+    extremes_of_last_row
 
 let uniform () =
   let pixels = 1 lsl 13 and bins = 48 in

@@ -260,6 +260,39 @@ let materials_found s =
       | Some hit -> List.exists (Material.equal hit.material.material) used)
     (List.init 64 Fun.id)
 
+(* From 1e9 away the textbook is wrong by the radius of a ball, and it misses
+   triangles 1e-5 wide. *)
+let by_math () =
+  let s =
+    scene
+      [
+        "(sphere (center 0 0 0) (radius 1))";
+        "(group (transform (translate 10 0 0)) (sphere (center 0 0 0) (radius \
+         1)))";
+        "(use ball (transform (translate 20 0 0)))";
+        "(group (group (use ball (transform (translate 30 0 0)))))";
+        "(polygon (39.99999 -1e-5 0) (40.00001 -1e-5 0) (40 1e-5 0))";
+        "(define ball (sphere (center 0 0 0) (radius 1)))";
+      ]
+  in
+  let ts ?math () =
+    let surface = Assembly.surface ?math s in
+    let down x =
+      Surface.nearest surface (Ray.v (Point.v x 0. 1e9) (Vec.v 0. 0. (-1.)))
+    in
+    List.map
+      (fun x -> Option.map (fun (h : _ Hit.t) -> h.t) (down x))
+      [ 0.; 10.; 20.; 30.; 40. ]
+  in
+  let right = Some 999999999. and wrong = Some 1e9 in
+  let check = Alcotest.(check (list (option (float 0.)))) in
+  let by_candor = [ right; right; right; right; Some 1e9 ] in
+  check "by itself" by_candor (ts ());
+  check "stable" by_candor (ts ~math:Stable ());
+  check "by the textbook"
+    [ wrong; wrong; wrong; wrong; None ]
+    (ts ~math:Textbook ())
+
 let default_seen () =
   match Assembly.materials_in_use (scene [ ball 0. ]) with
   | [ { name = None; material = Matte { color = Constant c }; _ } ] ->
@@ -279,6 +312,8 @@ let suite =
       Law.example "a hit's path is the surface's place" path_kinds;
       Law.example "a polygon is a group of triangles in a path" polygon_path;
       Law.example "a hit knows where its surface is written" places;
+      Law.example "groups, uses and polygons are all met by the math asked for"
+        by_math;
       Law.example "a billion instances share what they repeat" shared;
       Law.example "materials in use, with their places" uses;
       Law.example "the default material is in use where nothing else is"

@@ -82,6 +82,18 @@ let rescaled r =
   equal (origin s) (Exact.scale (Exact.power 5) (origin r))
   && equal (direction s) (Exact.scale (Exact.power (-7)) (direction r))
 
+(* A ray that is aimed at a point keeps what rounding took from it. *)
+let as_given ((r : Ray.t), p) =
+  let keeps (r : Ray.t) =
+    let s = Object_ray.of_ray r in
+    let zero = Vec.equal s.origin_low Vec.zero in
+    zero && exact_when s
+    && Point.equal s.origin r.origin
+    && Vec.equal s.direction r.direction
+    && Vec.equal s.direction_low r.direction_low
+  in
+  keeps r && keeps (Ray.toward p r)
+
 let law name gen print holds = Law.law ~count:5000 ~print name gen holds
 let with_point g = Gen.pair g (Draw.point Draw.coordinate)
 let show2 (r, p) = show r ^ " from " ^ Draw.show_point p
@@ -90,6 +102,9 @@ let any = Gen.oneof [ ray; inside ]
 let suite =
   ( "object rays",
     [
+      law "are a ray as given, in its own space" (with_point Draw.ray)
+        (fun (r, p) -> Draw.show_ray r ^ " toward " ^ Draw.show_point p)
+        as_given;
       law "are seen from a point exactly" (with_point any) show2 seen_exactly;
       law "are seen in double-double, exactly where they are doubles"
         (with_point any) show2 pair_is_near;

@@ -26,6 +26,12 @@ let coordinates ((p, _), _) =
   && Float.equal (Point.get p 1) p.y
   && Float.equal (Point.get p 2) p.z
 
+let shifted ((p, _), t) =
+  let e = int_of_float (Float.rem t 900.) in
+  let q = Point.ldexp e p in
+  let same x y = Float.equal x (Q.to_float Exact.(power e * q y)) in
+  same q.x p.Point.x && same q.y p.y && same q.z p.z
+
 let finite () =
   List.iter
     (fun x ->
@@ -41,5 +47,6 @@ let suite =
       law "a point along a direction is rounded once" rounded_once;
       law "the way back is the way there turned round" there_and_back;
       law "get is the coordinate" coordinates;
+      law "ldexp multiplies by a power of two" shifted;
       Law.example "infinities and nan are not finite" finite;
     ] )

@@ -98,7 +98,7 @@ let rejected =
   in
   let m = Affine.identity in
   [
-    reject "G2 a scale by zero on an axis" [ Scale (Vec.v 1. 1. 0.) ];
+    reject "G2: a scale by zero on an axis" [ Scale (Vec.v 1. 1. 0.) ];
     reject "a scale by minus zero" [ Scale (Vec.v 1. (-0.) 1.) ];
     reject "a scale by nan" [ Scale (Vec.v nan 1. 1.) ];
     reject "a scale by infinity" [ Scale (Vec.v infinity 1. 1.) ];
@@ -112,7 +112,7 @@ let rejected =
       [ Rotate { axis = Vec.v 0. 0. 1.; degrees = nan } ];
     reject "a rotation by infinity"
       [ Rotate { axis = Vec.v 0. 0. 1.; degrees = infinity } ];
-    reject "G2 a matrix of rank 2" [ Matrix { m with zz = 0. } ];
+    reject "G2: a matrix of rank 2" [ Matrix { m with zz = 0. } ];
     reject "a matrix of rank 2 that rounds"
       [
         Matrix
@@ -134,7 +134,6 @@ let rejected =
       [ Scale (Vec.v 1e-300 1. 1.); Scale (Vec.v 1e-300 1. 1.) ];
   ]
 
-(* G2: what is small or large is not singular. *)
 let accepted () =
   let m = Affine.identity in
   List.iter
@@ -178,6 +177,6 @@ let suite =
         Law.example "the identity changes nothing" identity;
         Law.example "rotations are counter-clockwise against the axis"
           seen_against_the_axis;
-        Law.example "small and large maps are not singular" accepted;
+        Law.example "G2: small and large maps are not singular" accepted;
       ]
       rejected )

@@ -47,6 +47,28 @@ let largest a =
        (fun i -> Float.abs (Vec.get a i) <= Vec.largest a)
        [ 0; 1; 2 ]
 
+let rounded_once ((a, d), t) =
+  let b = Vec.along a d t in
+  let exact = Exact.(along (vec a) (vec d) (q t)) in
+  let same x y = Float.equal x (Q.to_float y) in
+  same b.x exact.x && same b.y exact.y && same b.z exact.z
+
+(* What leaves the range of doubles is rounded like anything else. *)
+let shifted (a, e) =
+  let b = Vec.ldexp e a in
+  let same x y = Float.equal x (Q.to_float Exact.(power e * q y)) in
+  same b.x (a : Vec.t).x && same b.y a.y && same b.z a.z
+
+let absolute a =
+  let { Vec.x; y; z } = a and b = Vec.abs a in
+  let is x y = (not (Float.sign_bit x)) && (x = y || x = -.y) in
+  is b.x x && is b.y y && is b.z z
+
+(* Two additions, each rounded. *)
+let norm1_is_near a =
+  let exact = Exact.(size (vec a)) and found = Exact.q (Vec.norm1 a) in
+  Q.leq (Q.abs (Q.sub found exact)) Exact.(power (-52) * exact)
+
 let examples () =
   let check name expected found =
     Alcotest.(check (float 0.)) name expected found
@@ -75,5 +97,16 @@ let suite =
         show2 dot_is_near;
       law "a length is right within 3 ulp at any size" vec show norm;
       law "the largest component is" vec show largest;
+      law "a vector along another is rounded once"
+        (Gen.pair (pair ordinary) (Draw.uniform (-9.) 9.))
+        (fun (ab, t) -> Printf.sprintf "%s %h" (show2 ab) t)
+        rounded_once;
+      law "ldexp multiplies by a power of two"
+        (Gen.pair Places.vec (Gen.int_range (-900) 900))
+        (fun (a, e) -> Printf.sprintf "%s by 2^%d" (show a) e)
+        shifted;
+      law "abs takes signs away, from zeros too" vec show absolute;
+      law "norm1 is the sum of the absolute components" ordinary show
+        norm1_is_near;
       Law.example "lengths of the largest and the smallest" examples;
     ] )

@@ -180,6 +180,100 @@ let faces_ray { Family.shape; ray } =
   | None -> true
   | Some h -> Vec.dot (h.normal :> Vec.t) ray.direction < 0.
 
+(* {1 Leaving an edge}
+
+   Inwards from one face and out of another that is met there. *)
+
+type leaving = { box : Box.t; at : Point.t; part : int; toward : Vec.t }
+
+let show_leaving { box; at; part; toward } =
+  Printf.sprintf "%s\nfrom %s, face %d, along %s" (Boxes.show box)
+    (Draw.show_point at) part (Draw.show_vec toward)
+
+(* Where a coordinate is, and which way the ray goes along it. *)
+type place = { x : float; d : float; end_ : int option }
+
+let leaving =
+  let open QCheck2.Gen in
+  let speed = oneof [ return 1.; Draw.wide (-9.) 9. ] in
+  let on_end (lo, hi) ~out =
+    let* high = bool and* d = speed in
+    let outward = if high then d else -.d in
+    return
+      {
+        x = (if high then hi else lo);
+        d = (if out then outward else -.outward);
+        end_ = Some (if high then 1 else 0);
+      }
+  and between (lo, hi) =
+    let* k = Draw.uniform 0.25 0.75 and* d = Draw.signed speed in
+    return { x = lo +. (k *. (hi -. lo)); d; end_ = None }
+  in
+  let corner =
+    oneof [ Draw.point (Draw.small 4); Draw.point (Draw.uniform (-9.) 9.) ]
+  in
+  let* box = map2 (Boxes.between ~flat:3) corner corner in
+  let b = (box :> Bounds.t) in
+  let ends = [| (b.x0, b.x1); (b.y0, b.y1); (b.z0, b.z1) |] in
+  let* face = int_bound 2 and* next = int_range 1 2 in
+  let out = (face + next) mod 3 in
+  let* from = on_end ends.(face) ~out:false
+  and* into = on_end ends.(out) ~out:true
+  and* third =
+    let slab = ends.(3 - face - out) in
+    oneof [ between slab; on_end slab ~out:true; on_end slab ~out:false ]
+  in
+  let on i = if i = face then from else if i = out then into else third in
+  return
+    {
+      box;
+      at = p (on 0).x (on 1).x (on 2).x;
+      part = (2 * face) + Option.value from.end_ ~default:0;
+      toward = v (on 0).d (on 1).d (on 2).d;
+    }
+
+(* The first of the faces that the ray leaves at its start. *)
+let face_ahead { box; at; toward; _ } =
+  let b = (box :> Bounds.t) in
+  let leaves i lo hi =
+    let x = Point.get at i and d = Vec.get toward i in
+    if d < 0. && x = lo then Some (2 * i)
+    else if d > 0. && x = hi then Some ((2 * i) + 1)
+    else None
+  in
+  List.find_map Fun.id
+    [ leaves 0 b.x0 b.x1; leaves 1 b.y0 b.y1; leaves 2 b.z0 b.z1 ]
+
+let start { box; at; part; toward } =
+  ( Surface.box box (),
+    Ray.leaving (Surface { path = [ 0 ]; part; side = Inside }) at toward )
+
+let meets_at_once l =
+  let s, ray = start l in
+  Surface.blocked s ~limit:infinity ray
+  &&
+  match Surface.nearest s ray with
+  | None -> Law.fail "it leaves the box unseen"
+  | Some h ->
+      let b = (l.box :> Bounds.t) in
+      let extent = Vec.largest (Point.sub (Bounds.high b) (Bounds.low b)) in
+      Some h.part = face_ahead l
+      && h.side = Inside && h.t > 0.
+      && h.t *. Vec.largest l.toward <= 0x1p-52 *. extent
+      && Vec.largest (Point.sub h.point l.at) <= 0x1p-52 *. extent
+
+let at_once_at_any_size (l, k) =
+  let c = Shapes.scaling k in
+  match Shapes.change c (Box l.box) with
+  | Some (Box box) ->
+      let t l =
+        let s, ray = start l in
+        Option.map (fun (h : _ Hit.t) -> h.t) (Surface.nearest s ray)
+      in
+      t { l with box; at = c.point l.at }
+      = Option.map (fun t -> t *. c.length) (t l)
+  | Some (Sphere _ | Triangle _ | Quadric _) | None -> false
+
 let law name holds =
   Law.law ~count:5000 ~print:(Family.show Boxes.kind) name Boxes.aimed.cases
     holds
@@ -199,6 +293,16 @@ let suite =
           law "the normal is that of the face" (fun c -> found c axis_normal);
           law "the normal faces the ray" faces_ray;
           law "uv runs over the face" (fun c -> found c uv);
+          Law.law ~count:5000 ~print:show_leaving
+            "a ray from an edge, inwards from one face and out of another, \
+             meets that one at once"
+            leaving meets_at_once;
+          Law.law
+            ~print:(fun (l, k) ->
+              Printf.sprintf "%s\nk = %d" (show_leaving l) k)
+            "at once is 2^k as long in a box 2^k as large"
+            QCheck2.Gen.(pair leaving (int_range (-60) 60))
+            at_once_at_any_size;
         ];
         rejected;
       ] )

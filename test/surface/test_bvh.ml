@@ -255,9 +255,11 @@ let suite =
       Law.example "100,000 spheres are built in no time and met as by a scan"
         hundred_thousand;
       Law.example
-        "100,000 spheres about one point are built, ties to the lowest"
+        "G5: 100,000 spheres about one point are built, ties to the lowest"
         all_in_one_place;
-      Law.example "1,000 identical spheres tie to the lowest place" all_the_same;
-      Law.example "spheres that dwindle by 2^400 are built and met" dwindling;
+      Law.example "G5: 1,000 identical spheres tie to the lowest place"
+        all_the_same;
+      Law.example "G5: spheres that dwindle by 2^400 are built and met"
+        dwindling;
       Law.example "planes and spheres live in one group" unbounded;
     ] )

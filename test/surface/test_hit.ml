@@ -395,6 +395,6 @@ let suite =
         ~print:(fun (l, steps) ->
           Printf.sprintf "%s\nthrough %s" (show l)
             (String.concat "; " (List.map Transform.show_step steps)))
-        "a ray that leaves an instance outwards meets nothing"
+        "G4: a ray that leaves an instance outwards meets nothing"
         (Gen.pair cases steps) instanced;
     ] )

@@ -333,14 +333,14 @@ let suite =
   ( "nearest and blocked",
     [
       law ~count:2500 ~print:Shapes.show_scene
-        "a group is met like a linear scan of its members, ties to the lowest \
-         place, and blocked where that finds something"
+        "G8: a group is met like a linear scan of its members, ties to the \
+         lowest place, and blocked where that finds something"
         Shapes.scene scan_agrees;
       law ~print:Shapes.show_scene "the path of a member is its place"
         Shapes.scene path_is_place;
       law ~count:2000
         ~print:(fun (s, _) -> Shapes.show_scene s)
-        "permuted surfaces give the same surface" (scene_and Gen.int_pos)
+        "G9: permuted surfaces give the same surface" (scene_and Gen.int_pos)
         permuted;
       law ~count:1000
         ~print:(fun (c, k) ->
@@ -387,9 +387,10 @@ let suite =
             (list_size (return 20) (list_size (return 3) step))
             (pair Draw.unit (Draw.wide 0.5 1.)))
         nested_transforms;
-      law ~print:Shapes.show_case "what is no ray meets nothing" Shapes.case
+      law ~print:Shapes.show_case "G7: what is no ray meets nothing" Shapes.case
         no_rays;
       Law.example "an empty group is never met" empty_group;
       law ~count:1000 ~print:Shapes.show_case
-        "a hit says what its documentation promises" Shapes.case hit_is_sound;
+        "G26: a hit, if there is one, says what its documentation promises"
+        Shapes.case hit_is_sound;
     ] )

@@ -33,4 +33,5 @@ let () =
       Test_quadric_shape.suite;
       Test_box_array.suite;
       Test_tree.suite;
+      Test_sources.suite;
     ]

@@ -265,6 +265,6 @@ let suite =
         divided_by_axis;
       Law.example "of nothing there is no node, of one item a leaf" none_and_one;
       Law.example "two clusters are parted" two_clusters;
-      Law.example "identical boxes are divided by number" identical;
-      Law.example "boxes that crowd to a point make no long paths" crowding;
+      Law.example "G5: identical boxes are divided by number" identical;
+      Law.example "G5: boxes that crowd to a point make no long paths" crowding;
     ] )

@@ -198,6 +198,64 @@ let smooth () =
       check 1. (v 0. 0. (-1.));
       check (-1.) (v 0. 0. 1.)
 
+(* {1 At the edges of a convex mesh} *)
+
+(* An octahedron about the origin, of any shape and stance. *)
+let octahedron =
+  let open QCheck2.Gen in
+  let* n = Draw.unit and* degrees = Draw.uniform 0. 360. in
+  let* size = Draw.wide (-6.) 6. and* sizes = Draw.vec (Draw.uniform 0.5 2.) in
+  let turn = Transform.of_steps [ Rotate { axis = n; degrees } ] in
+  let m = (Transform.forward (Made.get "turn" turn)).high in
+  let tip axis sign =
+    let along k = if k = axis then sign *. size *. Vec.get sizes k else 0. in
+    Affine.point m (p (along 0) (along 1) (along 2))
+  in
+  let face x y z =
+    let a = tip 0 x and b = tip 1 y and c = tip 2 z in
+    if x *. y *. z > 0. then Made.triangle a b c else Made.triangle a c b
+  in
+  let signs = [ 1.; -1. ] in
+  let faces =
+    List.concat_map
+      (fun x -> List.concat_map (fun y -> List.map (face x y) signs) signs)
+      signs
+  in
+  return (Array.of_list faces)
+
+let at_edges =
+  let open QCheck2.Gen in
+  let* faces = octahedron
+  and* k = int_bound 7
+  and* share = Draw.uniform 0. 1. in
+  let { Triangle.a; b; c } = faces.(k).corners in
+  let* target = Draw.pick [ a; b; c; Triangles.middle a b share ] in
+  let* d = Draw.unit and* far = Draw.pick [ 2.; 10.; 1000. ] in
+  let size = Vec.largest (Point.sub target Point.origin) in
+  let o = Draw.move target d (far *. size) in
+  return (faces, Ray.v o (Draw.toward o target))
+
+let show_mesh (faces, ray) =
+  String.concat "\n" (Array.to_list (Array.map Triangles.show faces))
+  ^ "\n" ^ Draw.show_ray ray
+
+(* Strictly inside of every other face. *)
+let inside_of_neighbours (faces, ray) =
+  match
+    Surface.nearest
+      (Surface.group (Array.map (fun s -> Surface.triangle s ()) faces))
+      ray
+  with
+  | None -> true
+  | Some h ->
+      let inside s =
+        Q.sign (Exact_triangle.value s (Exact.point h.point)) < 0
+      in
+      let others =
+        List.filteri (fun i _ -> [ i ] <> h.path) (Array.to_list faces)
+      in
+      List.for_all inside others
+
 let kinds = Triangles.[ ordinary; t5; needles; far_away ]
 
 let each name f =
@@ -222,6 +280,10 @@ let suite =
           Law.example "the thinnest triangles have area" thinnest;
           Law.example "uv are interpolated" own_uv;
           Law.example "normals are interpolated, on the side of the ray" smooth;
+          Law.law ~count:5000 ~print:show_mesh
+            "hits at edges and corners of a convex mesh are a hair inside of \
+             its other faces"
+            at_edges inside_of_neighbours;
         ];
         each "points are in the plane within their error" in_plane;
         each "the normal is right within 2^-30" right_normal;

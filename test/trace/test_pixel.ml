@@ -115,6 +115,41 @@ let parts () =
   in
   Alcotest.(check bool) "the surface" true (Option.is_some hit)
 
+(* Every row and column of a ball seen from 1e9 away. *)
+let by_math () =
+  let s =
+    Written.scene
+      [
+        Written.size 9 9;
+        "(camera (orthographic (eye 0 0 1e9) (look-at 0 0 0) (height 2)))";
+        Written.plain;
+        "(light (directional (direction 1 0 -1) (irradiance 1)))";
+        "(sphere (center 0 0 0) (radius 1))";
+      ]
+  in
+  let seen ?math () =
+    let pixel = Pixel.compile ?math s and tally = Tally.make () in
+    let centre = Pixel.ray pixel ~x:4 ~y:4 ~sample:0 in
+    let picture =
+      Picture.init ~width:9 ~height:9 (fun x y ->
+          Pixel.radiance pixel tally ~x ~y)
+    in
+    let hit = Candor_surface.Surface.nearest (Pixel.surface pixel) centre in
+    let t = Option.map (fun (h : _ Candor_surface.Hit.t) -> h.t) hit in
+    (t, Candor_surface.Effort.careful (Tally.effort tally), picture)
+  in
+  let time = Alcotest.(option (float 0.)) in
+  let t, careful, picture = seen () in
+  Alcotest.check time "Candor's" (Some 999999999.) t;
+  Alcotest.(check bool) "careful at times" true (careful > 0);
+  let t, _, again = seen ~math:Stable () in
+  Alcotest.check time "the same, asked for" (Some 999999999.) t;
+  Alcotest.(check bool) "the same picture" true (Picture.equal picture again);
+  let t, careful, naive = seen ~math:Textbook () in
+  Alcotest.check time "the textbook's" (Some 1e9) t;
+  Alcotest.(check int) "never careful" 0 careful;
+  Alcotest.(check bool) "another picture" false (Picture.equal picture naive)
+
 (* A light as bright as doubles go overflows in the sum of two. *)
 let non_finite () =
   let light = "(light (directional (direction 0 0 -1) (irradiance 1.7e308)))" in
@@ -144,5 +179,7 @@ let suite =
         "a pixel is the mean of its samples, their sum rounded once"
         (Drawn.scene Round) mean;
       Law.example "a compiled scene tells its plan and surface" parts;
+      Law.example "surfaces are met by the math asked for, else by Candor's"
+        by_math;
       Law.example "radiance that is not finite is counted and kept" non_finite;
     ] )

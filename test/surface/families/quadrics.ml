@@ -133,11 +133,15 @@ let rotated (shape : Quadric_shape.t) : Quadric_shape.t t =
            c)
   | other -> return other
 
+(* Where no quadric results, the unit cylinder. *)
+let some shape =
+  match Quadric.make shape with Ok q -> q | Error _ -> quadric cylinder
+
 let k7 =
   family "K7 any of five, turned at random, from up to 1e6 away"
     (let* shape = pick [ ellipsoid; cone; paraboloid; hyperboloid; cylinder ] in
      let* shape = rotated shape and* ray = aimed 6. in
-     return (case (quadric shape) ray))
+     return (case (some shape) ray))
 
 let k8 =
   family "K8 grazing an ellipsoid within 1e-3..1e-14"
@@ -148,10 +152,6 @@ let k8 =
      let* far = wide 0. 3. in
      let p = move (Point.add Point.origin at) (normalised slope) (s *. e) in
      return (case (quadric ellipsoid) (Ray.v (move p along (-.far)) along)))
-
-(* Where no quadric results, the unit cylinder. *)
-let some shape =
-  match Quadric.make shape with Ok q -> q | Error _ -> quadric cylinder
 
 let whole =
   family "whole numbers: rulings, apexes, double planes, exact tangents"
