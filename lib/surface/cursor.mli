@@ -7,6 +7,7 @@ type t = private {
   least : float;  (** 0; more for the textbook's formulas *)
   mutable tests : float;  (** how many surfaces were tested *)
   mutable careful : float;  (** in how many tests plain doubles did not do *)
+  mutable last : float;  (** which test that was last; -1 if there is none *)
 }
 
 val v : ?least:float -> float -> t
@@ -20,4 +21,5 @@ val tested : t -> unit
 (** [tested cursor] counts a test. *)
 
 val careful : t -> unit
-(** [careful cursor] counts a test that needed more than plain doubles. *)
+(** [careful cursor] counts the test under way as one that needed more than
+    plain doubles, once. *)

@@ -194,12 +194,15 @@ let locate_triangle (s : Triangle.t) ray t =
 let locate_quadric q (ray : Object_ray.t) t contact =
   let p = here ray t in
   let { Piece.form; cuts; linear; _ } = Quadric.body q in
+  let part = Contact.part contact in
   let outward =
-    match Contact.part contact with
+    match part with
     | 0 -> Form.gradient form (Point.sub p (Form.center form))
     | part ->
         let h = cuts.(part - 1) in
         Vec.v h.nx h.ny h.nz
   in
   let normal = Dir.of_vec_or Dir.z outward in
-  local p normal ~flat:linear (fun () -> Quadric.locate q ray t contact)
+  local p normal
+    ~flat:(linear || part > 0)
+    (fun () -> Quadric.locate q ray t contact)

@@ -121,7 +121,7 @@ let triangles =
 (* {1 Quadrics} *)
 
 let quadrics =
-  let agrees name = Family.agrees name Quadrics.kind ~ulps:4. in
+  let agrees name = Family.agrees name Quadrics.kind ~ulps:6. in
   [
     agrees "Q2: a cone along its generators" Quadrics.k3;
     agrees "Q2: a hyperboloid along its generators" Quadrics.k5;

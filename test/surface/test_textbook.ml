@@ -117,6 +117,7 @@ let agrees case =
       && check "point" (close_vec (place a.point) (place b.point))
       && check "normal" (close_vec (a.normal :> Vec.t) (b.normal :> Vec.t))
       && check "uv" ((not b.local.flat) || close_uv a.uv b.uv)
+      && check "flat" (a.local.flat = b.local.flat)
       && check "path" (a.path = b.path)
       && check "material" (a.material = b.material)
       && check "offset" (b.offset = 0.)
