@@ -152,22 +152,24 @@ let meet_freely s (ray : Object_ray.t) cursor =
       && f2 < 0x1p60 *. r2)
   then meet_scaled s ray cursor
   else if p2 > r2 +. band then Contact.none
-  else if
-    (* Near its edge the sphere is met with care. *)
-    p2 < 0.6 *. r2 && lost *. lost <= 0x1p-106 *. f2
-  then
-    let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
-    let g = r2 -. p2 +. (rest *. rest /. a) in
-    let lx = Error_free.sum_error o.x (-.s.x) fx +. o'.x
-    and ly = Error_free.sum_error o.y (-.s.y) fy +. o'.y
-    and lz = Error_free.sum_error o.z (-.s.z) fz +. o'.z in
-    let low =
-      Error_free.(dot lx ly lz dx dy dz +. dot fx fy fz d'.x d'.y d'.z)
-    in
-    let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
-    let c = power s.radius fx fy fz lx ly lz in
-    choose ray h c (sqrt (a *. g)) ~back:1. cursor
-  else meet_carefully s ray ~back:1. cursor
+  else
+    (* From near the sphere more hangs on the root of the discriminant. *)
+    let near = not (Float.abs (f2 -. r2) > 0.8 *. f2) in
+    if
+      (* Near its edge the sphere is met with care. *)
+      p2 < (if near then 0.6 else 0.75) *. r2 && lost *. lost <= 0x1p-106 *. f2
+    then
+      let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
+      let g = r2 -. p2 +. (rest *. rest /. a) in
+      let open Error_free in
+      let lx = sum_error o.x (-.s.x) fx +. o'.x
+      and ly = sum_error o.y (-.s.y) fy +. o'.y
+      and lz = sum_error o.z (-.s.z) fz +. o'.z in
+      let low = dot lx ly lz dx dy dz +. dot fx fy fz d'.x d'.y d'.z in
+      let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
+      let c = power s.radius fx fy fz lx ly lz in
+      choose ray h c (sqrt (a *. g)) ~back:1. cursor
+    else meet_carefully s ray ~back:1. cursor
 
 (* With the origin on the sphere the equation is t (a t + 2 h) = 0. *)
 let meet_again s ray left cursor =
