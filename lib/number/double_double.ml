@@ -32,22 +32,8 @@ let div a b =
     let rest = sub rest (scale r b) in
     add (renormalise q r) (of_float (rest.hi /. b.hi))
 
-let sqrt a =
-  if not (a.hi > 0.) then of_float 0.
-  else
-    let s = Float.sqrt a.hi in
-    let rest = sub a (Error_free.two_product s s) in
-    renormalise s (rest.hi /. (2. *. s))
-
 let to_float a = a.hi +. a.lo
 
 type vec = { x : t; y : t; z : t }
 
 let dot a b = add (mul a.x b.x) (add (mul a.y b.y) (mul a.z b.z))
-
-let along p t d =
-  {
-    x = add p.x (scale t d.x);
-    y = add p.y (scale t d.y);
-    z = add p.z (scale t d.z);
-  }

@@ -26,9 +26,6 @@ val scale : float -> t -> t
 val div : t -> t -> t
 (** [div a b] is [a/b] within 15u². *)
 
-val sqrt : t -> t
-(** [sqrt a] is the square root of [a ≥ 0] within 10u²; zero for [a ≤ 0]. *)
-
 val neg : t -> t
 (** [neg a] is [-a] exactly. *)
 
@@ -42,6 +39,3 @@ type vec = { x : t; y : t; z : t }
 val dot : vec -> vec -> t
 (** [dot a b] is the scalar product; its error is relative to the sum of the
     absolute products. *)
-
-val along : vec -> float -> vec -> vec
-(** [along p t d] is [p + t·d]. *)

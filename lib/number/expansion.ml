@@ -30,6 +30,10 @@ let sign a = Float.compare (last a) 0.
 (* Smallest first, so every sum but the last is of numbers far apart. *)
 let to_float a = List.fold_left ( +. ) 0. a
 
+let to_pair a =
+  let hi = to_float a in
+  Error_free.two_sum hi (to_float (sub a (of_float hi)))
+
 let ratio a b =
   let x = to_float a and y = to_float b in
   let q = x /. y in

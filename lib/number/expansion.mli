@@ -28,6 +28,9 @@ val sign : t -> int
 val to_float : t -> float
 (** [to_float x] is [x] within one unit in the last place. *)
 
+val to_pair : t -> Error_free.t
+(** [to_pair x] is [x] as near as a sum of two doubles comes, within 2^-104. *)
+
 val ratio : t -> t -> float
 (** [ratio x y] is [x/y] within two units in the last place; [nan] or infinite
     where [y] is zero. *)

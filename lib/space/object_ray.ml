@@ -49,6 +49,22 @@ let plus (a : Expansion.vec) (b : Vec.t) =
 let from r p = plus (Unrounded.diff r.origin p) r.origin_low
 let toward r = plus (Unrounded.vec r.direction) r.direction_low
 
+let offset r p =
+  let f = Point.sub r.origin p in
+  (f, Vec.add (Unrounded.diff_error r.origin p f) r.origin_low)
+
+(* The first step is off by its own rounding, the second by the square of that. *)
+let closest r p =
+  let f, rest = offset r p in
+  let d = r.direction in
+  let d2 = Vec.dot d d in
+  let y = Vec.add (Vec.along f d (-.Vec.dot f d /. d2)) rest in
+  Vec.along y d (-.Vec.dot y d /. d2)
+
+let near_one r =
+  let _, e = Float.frexp (Vec.largest r.direction) in
+  (ldexp ~length:0 ~time:(-e) r, e)
+
 let pair_from r p =
   let f = Unrounded.pair_diff r.origin p in
   if r.exact then f
@@ -57,9 +73,7 @@ let pair_from r p =
     let open Double_double in
     { x = add f.x (low x); y = add f.y (low y); z = add f.z (low z) }
 
-let pair_near_one { direction = d; direction_low = l; _ } =
-  let _, e = Float.frexp (Vec.largest d) in
-  let pair hi lo =
-    { Error_free.hi = Float.ldexp hi (-e); lo = Float.ldexp lo (-e) }
-  in
+let pair_near_one r =
+  let { direction = d; direction_low = l; _ }, e = near_one r in
+  let pair hi lo = { Error_free.hi; lo } in
   ({ Double_double.x = pair d.x l.x; y = pair d.y l.y; z = pair d.z l.z }, e)

@@ -36,6 +36,19 @@ val from : t -> Point.t -> Expansion.vec
 val toward : t -> Expansion.vec
 (** [toward r] is the direction, exactly. *)
 
+val offset : t -> Point.t -> Vec.t * Vec.t
+(** [offset r p] is {!from} as a vector and what is left beside it, which is off
+    by 2^-53 of itself. *)
+
+val closest : t -> Point.t -> Vec.t
+(** [closest r p] is the vector from [p] to the point of [r]'s line nearest to
+    [p], within 2^-50 of its length and 2^-100 of the distance from [p] to the
+    origin. *)
+
+val near_one : t -> t * int
+(** [near_one r] is (r', e): [r] with its direction times 2^-e, the largest
+    component of which is then in \[1/2;1\[ either way. *)
+
 val pair_from : t -> Point.t -> Double_double.vec
 (** [pair_from r p] is {!from} rounded to double-doubles; exact if [r] is. *)
 

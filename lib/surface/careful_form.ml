@@ -2,11 +2,6 @@ open Candor_number
 open Candor_space
 open Piece
 
-let from_center q (ray : Object_ray.t) =
-  let o = ray.origin and center = Form.center q.form in
-  let y = Point.sub o center in
-  (y, Vec.add (Unrounded.diff_error o center y) ray.origin_low)
-
 (* y + y' + t (d + d') *)
 let further (y : Vec.t) (y' : Vec.t) t (d : Vec.t) (d' : Vec.t) =
   let open Error_free in
@@ -29,9 +24,7 @@ let exact_bend f ray =
       { x = zero; y = zero; z = zero }
       (Object_ray.toward ray)
   in
-  let hi = Expansion.to_float a in
-  let rest = Expansion.(sub a (of_float hi)) in
-  { Error_free.hi; lo = Expansion.to_float rest }
+  Expansion.to_pair a
 
 let bend f (ray : Object_ray.t) =
   let d = ray.direction in
@@ -51,27 +44,21 @@ let value q ray y y' =
   if Float.abs c.hi > 0x1p-45 *. size then c
   else
     let _, _, c = exact_equation q ray in
-    let hi = Expansion.to_float c in
-    { Error_free.hi; lo = Expansion.(to_float (sub c (of_float hi))) }
+    Expansion.to_pair c
 
 (* b^2 - a c, each a sum of two doubles. *)
 let discriminant (a : Error_free.t) (b : Error_free.t) (c : Error_free.t) =
   Error_free.difference_of_products b.hi b.hi a.hi c.hi
   +. ((2. *. b.hi *. b.lo) -. ((a.hi *. c.lo) +. (a.lo *. c.hi)))
 
-(* The direction brought near 1 by a power of two, which is then taken out of
-   t. *)
-let scaled (ray : Object_ray.t) =
-  let _, e = Float.frexp (Vec.largest ray.direction) in
-  (Object_ray.ldexp ~length:0 ~time:(-e) ray, fun t -> Float.ldexp t (-e))
-
-(* Everything in twice the precision, the discriminant at the
-   point of the line nearest to the centre. *)
+(* The discriminant is taken at the point of the line nearest to the centre; the
+   direction is near 1 by a power of two, which is then taken out of t. *)
 let meet q ray cursor =
   Cursor.careful cursor;
-  let near, back = scaled ray in
+  let near, e = Object_ray.near_one ray in
+  let back t = Float.ldexp t (-e) in
   let d = near.direction and d' = near.direction_low in
-  let y, y' = from_center q near in
+  let y, y' = Object_ray.offset near (Form.center q.form) in
   let a = bend q.form near in
   let b = Form.rise q.form y y' d d' and c = value q near y y' in
   if a.hi = 0. then
@@ -95,9 +82,10 @@ let meet q ray cursor =
    outwards F rises, so b > 0, and the other root is ahead only if a < 0. *)
 let meet_again q ray side cursor =
   Cursor.careful cursor;
-  let near, back = scaled ray in
+  let near, e = Object_ray.near_one ray in
+  let back t = Float.ldexp t (-e) in
   let d = near.direction and d' = near.direction_low in
-  let y, y' = from_center q near in
+  let y, y' = Object_ray.offset near (Form.center q.form) in
   let a = (bend q.form near).hi and b = (Form.rise q.form y y' d d').hi in
   let ahead =
     match (side : Side.t) with

@@ -167,65 +167,68 @@ let gradient_size f (y : Vec.t) =
    Every number is a sum of two doubles, the second in a variable of the same
    name with a prime; written out, since this is done for each hit. *)
 
-let bend f (d : Vec.t) (d' : Vec.t) =
-  let open Error_free in
-  let x = d.x and y = d.y and z = d.z in
-  let u = dot f.axx f.axy f.axz x y z
-  and v = dot f.axy f.ayy f.ayz x y z
-  and w = dot f.axz f.ayz f.azz x y z in
-  let u' = dot_error f.axx f.axy f.axz x y z u
-  and v' = dot_error f.axy f.ayy f.ayz x y z v
-  and w' = dot_error f.axz f.ayz f.azz x y z w in
-  let a = dot u v w x y z in
-  two_sum a
-    (dot_error u v w x y z a +. dot u' v' w' x y z
-    +. (2. *. dot u v w d'.x d'.y d'.z))
+type applied = {
+  u : float;
+  v : float;
+  w : float;
+  u' : float;
+  v' : float;
+  w' : float;
+}
 
-let rise f (p : Vec.t) (p' : Vec.t) (d : Vec.t) (d' : Vec.t) =
+(* A (p + p') *)
+let applied f (p : Vec.t) (p' : Vec.t) =
   let open Error_free in
   let x = p.x and y = p.y and z = p.z in
   let x' = p'.x and y' = p'.y and z' = p'.z in
+  let u = dot f.axx f.axy f.axz x y z
+  and v = dot f.axy f.ayy f.ayz x y z
+  and w = dot f.axz f.ayz f.azz x y z in
+  {
+    u;
+    v;
+    w;
+    u' = dot_error f.axx f.axy f.axz x y z u +. dot f.axx f.axy f.axz x' y' z';
+    v' = dot_error f.axy f.ayy f.ayz x y z v +. dot f.axy f.ayy f.ayz x' y' z';
+    w' = dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z';
+  }
+
+(* What dot u v w d.x d.y d.z = q leaves of the product with d + d'. *)
+let[@inline] rest { u; v; w; u'; v'; w' } (d : Vec.t) (d' : Vec.t) q =
+  let open Error_free in
+  dot_error u v w d.x d.y d.z q
+  +. dot u' v' w' d.x d.y d.z +. dot u v w d'.x d'.y d'.z
+
+let bend f (d : Vec.t) d' =
+  let open Error_free in
+  let ad = applied f d d' in
+  let a = dot ad.u ad.v ad.w d.x d.y d.z in
+  two_sum a (rest ad d d' a)
+
+let rise f p p' (d : Vec.t) (d' : Vec.t) =
+  let open Error_free in
+  let ap = applied f p p' in
+  let q = dot ap.u ap.v ap.w d.x d.y d.z in
   let g = dot f.gx f.gy f.gz d.x d.y d.z in
   let g' =
     dot_error f.gx f.gy f.gz d.x d.y d.z g +. dot f.gx f.gy f.gz d'.x d'.y d'.z
   in
-  let u = dot f.axx f.axy f.axz x y z
-  and v = dot f.axy f.ayy f.ayz x y z
-  and w = dot f.axz f.ayz f.azz x y z in
-  let u' = dot_error f.axx f.axy f.axz x y z u +. dot f.axx f.axy f.axz x' y' z'
-  and v' = dot_error f.axy f.ayy f.ayz x y z v +. dot f.axy f.ayy f.ayz x' y' z'
-  and w' =
-    dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z'
-  in
-  let q = dot u v w d.x d.y d.z in
-  let q' =
-    dot_error u v w d.x d.y d.z q
-    +. dot u' v' w' d.x d.y d.z +. dot u v w d'.x d'.y d'.z
-  in
   let b = q +. g in
-  two_sum b (sum_error q g b +. (q' +. g'))
+  two_sum b (sum_error q g b +. (rest ap d d' q +. g'))
 
 let value f (p : Vec.t) (p' : Vec.t) =
   let open Error_free in
-  let x = p.x and y = p.y and z = p.z in
-  let x' = p'.x and y' = p'.y and z' = p'.z in
-  let g = dot f.gx f.gy f.gz x y z in
-  let g' = dot_error f.gx f.gy f.gz x y z g +. dot f.gx f.gy f.gz x' y' z' in
-  let u = dot f.axx f.axy f.axz x y z
-  and v = dot f.axy f.ayy f.ayz x y z
-  and w = dot f.axz f.ayz f.azz x y z in
-  let u' = dot_error f.axx f.axy f.axz x y z u +. dot f.axx f.axy f.axz x' y' z'
-  and v' = dot_error f.axy f.ayy f.ayz x y z v +. dot f.axy f.ayy f.ayz x' y' z'
-  and w' =
-    dot_error f.axz f.ayz f.azz x y z w +. dot f.axz f.ayz f.azz x' y' z'
-  in
-  let q = dot u v w x y z in
-  let q' =
-    dot_error u v w x y z q +. dot u' v' w' x y z +. dot u v w x' y' z'
+  let ap = applied f p p' in
+  let q = dot ap.u ap.v ap.w p.x p.y p.z in
+  let g = dot f.gx f.gy f.gz p.x p.y p.z in
+  let g' =
+    dot_error f.gx f.gy f.gz p.x p.y p.z g +. dot f.gx f.gy f.gz p'.x p'.y p'.z
   in
   let s = q +. (2. *. g) in
   let t = s +. f.k in
-  two_sum t (sum_error q (2. *. g) s +. sum_error s f.k t +. q' +. (2. *. g'))
+  two_sum t
+    (sum_error q (2. *. g) s
+    +. sum_error s f.k t +. rest ap p p' q +. (2. *. g'))
 
 let along_exactly f p d =
   let open Expansion in

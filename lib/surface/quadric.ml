@@ -127,16 +127,10 @@ let rounding (p : Point.t) =
   Vec.v (u p.x) (u p.y) (u p.z)
 
 (* Where t is not fine enough to say where on the surface a ray from far away
-   ends, the way from the point of the ray nearest to the centre is. That point
-   is found in two steps, the second for what the first has rounded. *)
+   ends, the way from the point of the ray nearest to the centre is. *)
 let from_closest form (ray : Object_ray.t) contact =
-  let o = ray.origin and d = ray.direction in
-  let center = Form.center form in
-  let f = Point.sub o center in
-  let lost = Vec.add (Unrounded.diff_error o center f) ray.origin_low in
-  let d2 = Vec.dot d d in
-  let y = Vec.add (Vec.along f d (-.Vec.dot f d /. d2)) lost in
-  let y = Vec.along y d (-.Vec.dot y d /. d2) in
+  let center = Form.center form and d = ray.direction in
+  let y = Object_ray.closest ray center in
   let g = Form.gradient form y in
   let a = Vec.dot d (Form.times form d)
   and b = Vec.dot g d

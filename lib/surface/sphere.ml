@@ -38,8 +38,8 @@ let[@inline] choose ray h c s ~back cursor =
     else Cursor.take cursor (q /. squared ray *. back) inside
   else Cursor.take cursor (c /. -.(h +. s) *. back) inside
 
-(* The power of the origin, f.f - r^2 with f + l for f, in twice the precision:
-   near the sphere it is lost in the rounding of the squares. *)
+(* The power f.f - r^2 of a point at f + l from the centre, in twice the
+   precision: near the sphere it is lost in the rounding of the squares. *)
 let[@inline] power r fx fy fz lx ly lz =
   let open Error_free in
   let r2 = r *. r in
@@ -69,15 +69,12 @@ let meet_carefully s (ray : Object_ray.t) ~back cursor =
   and lz = sum_error o.z (-.s.z) fz +. o'.z in
   let a = squared ray in
   (* h = f.d *)
-  let hx = fx *. dx and hy = fy *. dy and hz = fz *. dz in
-  let h2 = hx +. hy in
-  let h3 = h2 +. hz in
+  let h = dot fx fy fz dx dy dz in
   let h =
-    h3
-    +. (sum_error hx hy h2 +. sum_error h2 hz h3 +. product_error fx dx hx
-      +. product_error fy dy hy +. product_error fz dz hz
-       +. ((lx *. dx) +. (ly *. dy) +. (lz *. dz))
-       +. ((fx *. d'.x) +. (fy *. d'.y) +. (fz *. d'.z)))
+    h
+    +. (dot_error fx fy fz dx dy dz h
+       +. dot lx ly lz dx dy dz
+       +. dot fx fy fz d'.x d'.y d'.z)
   in
   (* p = f + t d, near the point of the line closest to the centre *)
   let t = -.h /. a in
@@ -117,9 +114,8 @@ let meet_carefully s (ray : Object_ray.t) ~back cursor =
 
 (* For what the first tier cannot do: the direction is scaled to about 1 by a
    power of two. *)
-let meet_scaled s (ray : Object_ray.t) cursor =
-  let _, e = Float.frexp (Vec.largest ray.direction) in
-  let ray = Object_ray.ldexp ~length:0 ~time:(-e) ray in
+let meet_scaled s ray cursor =
+  let ray, e = Object_ray.near_one ray in
   meet_carefully s ray ~back:(Float.ldexp 1. (-e)) cursor
 
 let meet_freely s (ray : Object_ray.t) cursor =
@@ -193,20 +189,12 @@ let uv (n : Vec.t) =
     0.5 +. (Float.asin y /. Float.pi) )
 
 (* A point near the hit, as seen from the centre, for a ray from so far that t is
-   not fine enough: by the way from the point of the ray nearest to the centre,
-   which the first step finds up to its own rounding, the second up to the
-   square of that. *)
+   not fine enough: by the way from the point of the ray nearest to the centre. *)
 let from_closest s (ray : Object_ray.t) contact =
-  let o = ray.origin and d = ray.direction in
-  let d2 = Vec.dot d d in
-  let f = Point.sub o (center s) in
-  let lost = Vec.add (Unrounded.diff_error o (center s) f) ray.origin_low in
-  let closest = -.Vec.dot f d /. d2 in
-  let p = Vec.add (Vec.along f d closest) lost in
-  let p = Vec.along p d (-.Vec.dot p d /. d2) in
-  let half =
-    sqrt (Float.max 0. ((s.radius *. s.radius) -. Vec.dot p p) /. d2)
-  in
+  let d = ray.direction in
+  let p = Object_ray.closest ray (center s) in
+  let left = (s.radius *. s.radius) -. Vec.dot p p in
+  let half = sqrt (Float.max 0. left /. Vec.dot d d) in
   match Contact.side contact with
   | Outside -> Vec.along p d (-.half)
   | Inside -> Vec.along p d half
@@ -220,25 +208,14 @@ let near_hit s (ray : Object_ray.t) t contact =
     Point.add (center s) (from_closest s ray contact)
   else Point.along ray.origin ray.direction t
 
-(* |y + rest|^2 - r^2, where [rest] is below half an ulp of [y]. *)
-let value s (y : Vec.t) (rest : Vec.t) =
-  let open Error_free in
-  let r2 = s.radius *. s.radius in
-  let y2 = dot y.x y.y y.z y.x y.y y.z in
-  let v = y2 -. r2 in
-  v
-  +. (sum_error y2 (-.r2) v
-     +. dot_error y.x y.y y.z y.x y.y y.z y2
-     -. product_error s.radius s.radius r2
-     +. (2. *. Vec.dot y rest))
-
 (* One Newton step takes the point to the sphere, up to its rounding and the
    square of the step. *)
 let locate s ray t contact =
   let near = near_hit s ray t contact in
   let y = Point.sub near (center s) in
-  let k = value s y (Unrounded.diff_error near (center s) y) in
-  let k = -.k /. (2. *. s.radius *. s.radius) in
+  let rest = Unrounded.diff_error near (center s) y in
+  let off = power s.radius y.x y.y y.z rest.x rest.y rest.z in
+  let k = -.off /. (2. *. s.radius *. s.radius) in
   let point = Point.along near y k in
   let normal = Dir.of_vec_or Dir.x y in
   let n = (normal :> Vec.t) in

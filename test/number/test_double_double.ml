@@ -28,13 +28,6 @@ let anywhere _ = true
 let nonzero { Error_free.hi; _ } = hi <> 0.
 let unary name holds = Law.law ~count:20000 ~print:show name double holds
 
-let root_of a =
-  let x = exactly a in
-  if Q.sign x <= 0 then D.sqrt a = D.of_float 0.
-  else
-    let s = exactly (D.sqrt a) in
-    relative (ulps2 10) s (Exact.sqrt x)
-
 let rounds a =
   let x = D.to_float a in
   Q.leq Exact.(Q.abs (q x - exactly a)) Exact.(q (Exact.ulp x) / two)
@@ -69,8 +62,6 @@ let suite =
         (fun a b -> Q.mul a (Exact.q (Q.to_float b)))
         2
         ~where:(fun b -> b.Error_free.hi = D.to_float b);
-      unary "a square root is right within 10u², zero where there is none"
-        root_of;
       unary "it is rounded to the nearest double" rounds;
       unary "negation and conversions are exact" conversions;
       Law.law ~count:10000

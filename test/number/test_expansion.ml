@@ -105,6 +105,11 @@ let zero () =
     "over zero is no number" true
     (not (Float.is_finite (E.ratio (E.of_float 1.) third)))
 
+let pairs f =
+  let x = truth f in
+  let { Error_free.hi; lo } = E.to_pair (expansion f) in
+  Q.leq (Q.abs Exact.(q hi + q lo - x)) Exact.(power (-104) * Q.abs x)
+
 let suite =
   ( "expansions",
     [
@@ -118,5 +123,7 @@ let suite =
         ratio;
       Law.law ~count:10000 ~print:show_rows
         "the signs of determinants agree with rationals" rows triple;
+      Law.law ~count:10000 ~print:show "a pair is right within 2^-104"
+        (formula 3) pairs;
       Law.example "zero is the empty sum" zero;
     ] )

@@ -73,6 +73,40 @@ let near_one (r : Object_ray.t) =
   0.5 <= m && m < 1.
   && equal (direction r) (Exact.scale (Exact.power e) (pair_of b))
 
+(* The two parts are the whole, to half an ulp of the second. *)
+let offset_is_near ((r : Object_ray.t), p) =
+  let y, rest = Object_ray.offset r p in
+  let found = Exact.add (Exact.vec y) (Exact.vec rest) in
+  let truth = Exact.sub (origin r) (Exact.point p) in
+  let rest = Exact.vec rest in
+  Exact_affine.within (Exact.power (-52)) found truth (Exact_affine.abs rest)
+
+(* Of lines that pass [p] at a known place, from near and far. *)
+let passing =
+  let open Gen in
+  let* n = Draw.unit
+  and* far = Draw.wide 0. 18.
+  and* p = Draw.point (Draw.small 9) in
+  let* side = Draw.across n in
+  return (Object_ray.v (Draw.move (Draw.move p side 0.5) n (-.far)) n, p)
+
+let closest_is_near ((r : Object_ray.t), p) =
+  let open Exact in
+  let y = Object_ray.closest r p in
+  let d = direction r and f = sub (origin r) (point p) in
+  let truth = sub f (scale (dot f d / dot d d) d) in
+  let off = sub (vec y) truth in
+  Q.leq (largest off) ((power (-50) * size truth) + (power (-100) * size f))
+
+let near_one_is_the_same (r : Object_ray.t) =
+  Vec.largest r.direction = 0.
+  ||
+  let near, e = Object_ray.near_one r in
+  let m = Vec.largest near.direction in
+  0.5 <= m && m < 1.
+  && equal (direction r) (Exact.scale (Exact.power e) (direction near))
+  && equal (origin r) (origin near)
+
 let exact_when (r : Object_ray.t) =
   let zero (a : Vec.t) = Vec.largest a = 0. in
   Bool.equal r.exact (zero r.origin_low && zero r.direction_low)
@@ -108,6 +142,11 @@ let suite =
       law "are seen from a point exactly" (with_point any) show2 seen_exactly;
       law "are seen in double-double, exactly where they are doubles"
         (with_point any) show2 pair_is_near;
+      law "are offset by a vector and a rest" (with_point any) show2
+        offset_is_near;
+      law "know their nearest point from however far" passing show2
+        closest_is_near;
+      law "are brought near 1 by a power of two" any show near_one_is_the_same;
       law "a power of two brings the direction near one" any show near_one;
       law "are exact iff nothing is left beside the doubles" any show exact_when;
       law "are rescaled exactly" any show rescaled;

@@ -21,64 +21,34 @@ type any = Any : 'shape subject -> any
 
 let nowhere _ _ = false
 
+(* A kind of surface with a kernel and a textbook's. *)
+let simple ?(exempt = nowhere) kind meet textbook surface families =
+  let kernels =
+    {
+      Speed.ours = Speed.alone (fun s r c -> meet s r Contact.none c);
+      textbook = Some (Speed.plainly textbook);
+    }
+  in
+  { kind; kernels; surface = (fun s -> surface s ()); exempt; families }
+
 let subjects =
   let open Speed in
-  let none = Contact.none in
-  let quadrics =
-    {
-      kind = Quadrics.kind;
-      kernels =
-        {
-          ours = alone (fun s r c -> Quadric.meet s r none c);
-          textbook = Some (plainly Textbook.quadric);
-        };
-      surface = (fun q -> Surface.quadric q ());
-      exempt = Offsets.at_apex;
-      families = Quadrics.all;
-    }
+  let quadrics families =
+    simple ~exempt:Offsets.at_apex Quadrics.kind Quadric.meet Textbook.quadric
+      Surface.quadric families
   in
   [
     ( "sphere",
       Any
-        {
-          kind = Spheres.kind;
-          kernels =
-            {
-              ours = alone (fun s r c -> Sphere.meet s r none c);
-              textbook = Some (plainly Textbook.sphere);
-            };
-          surface = (fun s -> Surface.sphere s ());
-          exempt = nowhere;
-          families = Spheres.all;
-        } );
-    ( "box",
-      Any
-        {
-          kind = Boxes.kind;
-          kernels =
-            {
-              ours = alone (fun s r c -> Box.meet s r none c);
-              textbook = Some (plainly Textbook.box);
-            };
-          surface = (fun b -> Surface.box b ());
-          exempt = nowhere;
-          families = Boxes.all;
-        } );
+        (simple Spheres.kind Sphere.meet Textbook.sphere Surface.sphere
+           Spheres.all) );
+    ("box", Any (simple Boxes.kind Box.meet Textbook.box Surface.box Boxes.all));
     ( "triangle",
       Any
-        {
-          kind = Triangles.kind;
-          kernels =
-            {
-              ours = alone (fun s r c -> Triangle.meet s r none c);
-              textbook = Some (plainly Textbook.triangle);
-            };
-          surface = (fun s -> Surface.triangle s ());
-          exempt = nowhere;
-          families = Triangles.all;
-        } );
-    ("quadric", Any quadrics);
-    ("clip", Any { quadrics with families = Clips.all });
+        (simple Triangles.kind Triangle.meet Textbook.triangle Surface.triangle
+           Triangles.all) );
+    ("quadric", Any (quadrics Quadrics.all));
+    ("clip", Any (quadrics Clips.all));
     ( "polygon",
       Any
         {
