@@ -1,10 +1,17 @@
 (* What the library promises of every kind of surface, all in one place. *)
 
-(** [ulps kind] is how many ulps a t may be off, besides a slack of 2^-96 of
-    size and distance, in units of the direction. *)
-let ulps = function
+open Candor_surface_families
+
+(** [ulps kind family] is how many ulps a t may be off, besides a slack of 2^-96
+    of size and distance, in units of the direction. *)
+let ulps kind family =
+  match kind with
   | "box" -> 2.
   | "triangle" | "polygon" -> 4.
+  | "quadric"
+    when List.mem family Quadrics.[ k8.Candor_oracle.Family.name; whole.name ]
+    ->
+      4.
   | "quadric" | "clip" -> 6.
   | _ -> 5. (* spheres, and what is in groups *)
 
@@ -19,7 +26,5 @@ let blur = 0x1p-96
 let offset kind family =
   match kind with
   | "nested" -> 64.
-  | "quadric"
-    when String.equal family Candor_surface_families.Quadrics.whole.name ->
-      infinity
+  | "quadric" when String.equal family Quadrics.whole.name -> infinity
   | _ -> 8.

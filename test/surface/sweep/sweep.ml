@@ -75,7 +75,7 @@ let subjects =
 let family ~print kind ~count
     { kind = judge; kernels; surface; exempt; families = _ } family =
   let name = family.Family.name in
-  let ulps = Promises.ulps kind and within = Promises.offset kind name in
+  let ulps = Promises.ulps kind name and within = Promises.offset kind name in
   let spawned = Score.make () and far = ref None in
   let observe case =
     if not (Offsets.judge spawned ~exempt surface ~within case) then
