@@ -1,4 +1,22 @@
-type purpose = Film [@@deriving show, eq, ord]
+type purpose =
+  | Film
+  | Path
+  | Lens
+  | Shutter
+  | Emitter
+  | Emitter_direction
+  | Sky_direction
+  | Lobe
+  | Bounce
+  | Survival
+  | Reflected
+  | Transmitted
+  | Boundary
+  | Wavelength
+  | Distance
+  | Deflection
+[@@deriving show, eq, ord]
+
 type t = int
 
 (* A finaliser in the manner of G. Steele, D. Lea, C. Flood, Fast Splittable
@@ -10,13 +28,32 @@ let mix x =
 
 let gamma = 0x1e3779b97f4a7c15
 let derive k i = mix (k + ((i + 1) * gamma))
-let number = function Film -> 1
+
+let number = function
+  | Film -> 1
+  | Path -> 2
+  | Lens -> 3
+  | Shutter -> 4
+  | Emitter -> 5
+  | Emitter_direction -> 6
+  | Sky_direction -> 7
+  | Lobe -> 8
+  | Bounce -> 9
+  | Survival -> 10
+  | Reflected -> 11
+  | Transmitted -> 12
+  | Boundary -> 13
+  | Wavelength -> 14
+  | Distance -> 15
+  | Deflection -> 16
+
+let below k purpose = derive k (number purpose)
 
 let v ~seed ~x ~y ~sample ~bounce purpose =
   let k = derive (mix seed) x in
   let k = derive k y in
   let k = derive k sample in
-  derive (derive k bounce) (number purpose)
+  below (derive k bounce) purpose
 
 let float k = float_of_int (k land ((1 lsl 53) - 1)) *. 0x1p-53
 

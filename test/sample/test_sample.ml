@@ -1,1 +1,10 @@
-let () = Alcotest.run "sample" [ Test_key.suite; Test_pattern.suite ]
+let () =
+  Alcotest.run "sample"
+    [
+      Test_key.suite;
+      Test_pattern.suite;
+      Test_sobol.suite;
+      Test_warp.suite;
+      Test_distribution.suite;
+      Test_spherical_triangle.suite;
+    ]
