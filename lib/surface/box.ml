@@ -193,5 +193,5 @@ let locate (b : Bounds.t) (ray : Object_ray.t) t contact =
     error = Vec.zero;
     flat = true;
     uv = lazy (Some (across first, across second));
-    shading_normal = None;
+    smooth = None;
   }

@@ -136,16 +136,17 @@ let rec visit_node w n =
     visit_node w (Tree.high_child link) || visit_node w (n + 1)
   else visit_node w (n + 1) || visit_node w (Tree.high_child link)
 
+(* How far along its axis the rest of an origin [o] may reach. *)
+let[@inline] rest (ray : Object_ray.t) o i =
+  if ray.exact then 0.
+  else
+    let e = 0x1p-51 *. Float.abs o in
+    if i >= 0. then e else -.e
+
 let probe (ray : Object_ray.t) =
   let o = ray.origin and d = ray.direction in
   let ix = reciprocal d.x and iy = reciprocal d.y and iz = reciprocal d.z in
-  let rest o i =
-    if ray.exact then 0.
-    else
-      let e = 0x1p-51 *. Float.abs o in
-      if i >= 0. then e else -.e
-  in
-  let ex = rest o.x ix and ey = rest o.y iy and ez = rest o.z iz in
+  let ex = rest ray o.x ix and ey = rest ray o.y iy and ez = rest ray o.z iz in
   {
     near_ox = o.x +. ex;
     near_oy = o.y +. ey;
@@ -179,3 +180,18 @@ let visit h ray cursor context test =
   let n = Array.length h.items in
   visit_items w (n - h.unbounded) n
   || (Array.length h.tree.links > 0 && visit_node w 0)
+
+(* {1 In parts} *)
+
+let cover h ~depth =
+  let rec parts depth n rest =
+    let link = h.tree.links.(n) in
+    if depth <= 0 || Tree.is_leaf link then
+      Box_array.get h.tree.boxes n :: rest
+    else
+      parts (depth - 1) (n + 1)
+        (parts (depth - 1) (Tree.high_child link) rest)
+  in
+  if h.unbounded > 0 then [ h.whole ]
+  else if Array.length h.tree.links = 0 then []
+  else parts depth 0 []

@@ -31,3 +31,7 @@ val visit :
 
     Conservative: no item that the ray, as a sum of doubles, meets is left out
     for rounding. *)
+
+val cover : 'a t -> depth:int -> Bounds.t list
+(** [cover h ~depth] is at most 2^depth boxes that together hold all items; just
+    [bounds h] where some are not bounded. *)

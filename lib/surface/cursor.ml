@@ -1,13 +1,14 @@
 type t = {
   mutable t : float;
   least : float;
+  time : float;
   mutable tests : float;
   mutable careful : float;
   mutable last : float;
 }
 
-let v ?(least = 0.) limit =
-  { t = limit; least; tests = 0.; careful = 0.; last = -1. }
+let v ?(least = 0.) ?(time = 0.) limit =
+  { t = limit; least; time; tests = 0.; careful = 0.; last = -1. }
 
 let[@inline] tested cursor = cursor.tests <- cursor.tests +. 1.
 

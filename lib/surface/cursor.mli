@@ -5,13 +5,14 @@
 type t = private {
   mutable t : float;  (** hits at least < t' ≤ [t] are of interest *)
   least : float;  (** 0; more for the textbook's formulas *)
+  time : float;  (** when the ray is cast: where moving surfaces stand *)
   mutable tests : float;  (** how many surfaces were tested *)
   mutable careful : float;  (** in how many tests plain doubles did not do *)
   mutable last : float;  (** which test that was last; -1 if there is none *)
 }
 
-val v : ?least:float -> float -> t
-(** [v limit] is a cursor at [limit], with [least] 0 unless given. *)
+val v : ?least:float -> ?time:float -> float -> t
+(** [v limit] is a cursor at [limit], with [least] and [time] 0 unless given. *)
 
 val take : t -> float -> Contact.t -> Contact.t
 (** [take cursor t contact] is [contact], with [cursor] moved to [t], if

@@ -196,7 +196,7 @@ let locate_surface q (ray : Object_ray.t) t contact =
     error = Vec.v (spread n.x r.x) (spread n.y r.y) (spread n.z r.z);
     flat = q.body.linear;
     uv = lazy (uv q point (Point.sub point (Form.center form)));
-    shading_normal = None;
+    smooth = None;
   }
 
 let locate_disk q (ray : Object_ray.t) t end_ =
@@ -213,7 +213,7 @@ let locate_disk q (ray : Object_ray.t) t end_ =
     error = Vec.scale 4. (Vec.add (rounding point) rounded);
     flat = true;
     uv = lazy (uv q point (Point.sub point (Form.center q.body.form)));
-    shading_normal = None;
+    smooth = None;
   }
 
 let locate q ray t contact =

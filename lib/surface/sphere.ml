@@ -228,5 +228,5 @@ let locate s ray t contact =
     error = Vec.v (error n.x point.x) (error n.y point.y) (error n.z point.z);
     flat = false;
     uv = lazy (Some (uv n));
-    shading_normal = None;
+    smooth = None;
   }

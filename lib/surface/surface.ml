@@ -6,6 +6,7 @@ type 'm t =
   | Triangle of Triangle.t * 'm
   | Quadric of Quadric.t * 'm
   | Group of 'm group
+  | Moving of 'm moving
 
 and 'm group = {
   transform : Transform.t option;
@@ -13,12 +14,14 @@ and 'm group = {
   math : Math.t;
 }
 
+and 'm moving = { motion : Motion.t; still : 'm t }
+
 let sphere s m = Sphere (s, m)
 let box b m = Box (b, m)
 let triangle s m = Triangle (s, m)
 let quadric q m = Quadric (q, m)
 
-let bounds = function
+let rec bounds = function
   | Sphere (s, _) -> Sphere.bounds s
   | Box (b, _) -> Box.bounds b
   | Triangle (s, _) -> Triangle.bounds s
@@ -26,9 +29,13 @@ let bounds = function
   | Group { transform = None; members; _ } -> Bvh.bounds members
   | Group { transform = Some m; members; _ } ->
       Bounds.transform (Transform.forward m) (Bvh.bounds members)
+  | Moving { motion; still } -> Motion.sweep motion (bounds still)
 
 let group ?(math = Math.Stable) members =
   Group { transform = None; members = Bvh.make ~bounds members; math }
+
+let moving ~velocity ~shutter still =
+  Moving { motion = Motion.v ~velocity ~shutter; still }
 
 let seen_through ?transform surface =
   match (surface, transform) with
@@ -36,7 +43,7 @@ let seen_through ?transform surface =
   | Group ({ transform = None; _ } as g), Some _ -> Group { g with transform }
   | Group ({ transform = Some inner; _ } as g), Some outer ->
       Group { g with transform = Some (Transform.after outer inner) }
-  | (Sphere _ | Box _ | Triangle _ | Quadric _), _ ->
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Moving _), _ ->
       Group
         {
           transform;
@@ -44,39 +51,46 @@ let seen_through ?transform surface =
           math = Math.Stable;
         }
 
+let cover surface ~depth =
+  match surface with
+  | Group { transform = None; members; _ } -> Bvh.cover members ~depth
+  | Group { transform = Some _; _ }
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Moving _ ->
+      [ bounds surface ]
+
 (* {1 Searching}
 
    A query is a walk over nested groups that carries the ray in the space of the
    group it is in. What is found is kept in two places that die with the query:
-   the cursor and [best]. *)
+   the cursor and [found]. *)
 
 type 'm search = {
   ray : Object_ray.t;
   math : Math.t;
   rest : int list;
       (* the way from here to the surface that the ray left; [] if none *)
-  left : Contact.t; (* how the ray left it *)
-  entered : entered list; (* the groups around, innermost first *)
+  way : Way.t; (* from the outside to here *)
+  query : 'm query;
+}
+
+and 'm query = {
+  left : Contact.t; (* how the ray left the surface at the end of [rest] *)
   cursor : Cursor.t;
-  best : 'm best;
+  mutable found : 'm found;
 }
 
-and entered = { index : int; around : Transform.t option }
-and 'm best = { mutable found : 'm found option }
-
-and 'm found = {
-  search : 'm search;
-  place : int;
-  surface : 'm t;
-  contact : Contact.t;
-}
-
-let path entered place =
-  List.fold_left (fun path group -> group.index :: path) [ place ] entered
+and 'm found =
+  | Nothing
+  | Found of {
+      search : 'm search;
+      place : int;
+      surface : 'm t;
+      contact : Contact.t;
+    }
 
 let left search i =
   match search.rest with
-  | [ k ] when k = i -> search.left
+  | [ k ] when k = i -> search.query.left
   | [] | _ :: _ -> Contact.none
 
 let inside (group : _ group) ray =
@@ -85,76 +99,84 @@ let inside (group : _ group) ray =
   | Some m, Stable -> Object_ray.through (Transform.backward m) ray
   | Some m, Textbook -> Textbook.group m ray
 
-let enter search i group =
+let enter { ray; rest; way; query; _ } i group =
   let rest =
-    match search.rest with
+    match rest with
     | k :: (_ :: _ as rest) when k = i -> rest
     | [] | _ :: _ -> []
   in
   {
-    search with
-    ray = inside group search.ray;
+    ray = inside group ray;
     math = group.math;
     rest;
-    entered = { index = i; around = group.transform } :: search.entered;
+    way = Within { index = i; transform = group.transform; around = way };
+    query;
   }
 
-let meet_stably search i surface =
-  let { ray; cursor; _ } = search in
-  let left = left search i in
+let follow search motion =
+  let by = Motion.displacement motion search.query.cursor.time in
+  if Vec.equal by Vec.zero then search
+  else
+    let ray =
+      match search.math with
+      | Stable -> Motion.follow by search.ray
+      | Textbook -> Textbook.moved by search.ray
+    in
+    { search with ray; way = Moved { by; around = search.way } }
+
+let meet_stably { ray; query = { cursor; _ }; _ } left surface =
   match surface with
   | Sphere (s, _) -> Sphere.meet s ray left cursor
   | Box (b, _) -> Box.meet b ray left cursor
   | Triangle (s, _) -> Triangle.meet s ray left cursor
   | Quadric (q, _) -> Quadric.meet q ray left cursor
-  | Group _ -> Contact.none
+  | Group _ | Moving _ -> Contact.none
 
-let meet_by_textbook { ray; cursor; _ } surface =
+let meet_by_textbook { ray; query = { cursor; _ }; _ } surface =
   let o = ray.origin and d = ray.direction in
   match surface with
   | Sphere (s, _) -> Textbook.sphere s o d cursor
   | Box (b, _) -> Textbook.box b o d cursor
   | Triangle (s, _) -> Textbook.triangle s o d cursor
   | Quadric (q, _) -> Textbook.quadric q o d cursor
-  | Group _ -> Contact.none
+  | Group _ | Moving _ -> Contact.none
 
 let meet search i surface =
-  Cursor.tested search.cursor;
+  Cursor.tested search.query.cursor;
   match search.math with
-  | Stable -> meet_stably search i surface
+  | Stable -> meet_stably search (left search i) surface
   | Textbook -> meet_by_textbook search surface
 
 let visit group search test =
-  Bvh.visit group.members search.ray search.cursor search test
+  Bvh.visit group.members search.ray search.query.cursor search test
 
-(* The new contact is at the cursor's t. It replaces the best one unless that is
-   at the same t and earlier in the scene. *)
-let keep search i surface contact ~before =
-  let ties =
-    match search.best.found with
-    | Some f when not (search.cursor.t < before) ->
-        List.compare Int.compare
-          (path f.search.entered f.place)
-          (path search.entered i)
-        < 0
-    | Some _ | None -> false
-  in
-  if not ties then
-    search.best.found <- Some { search; place = i; surface; contact }
+(* Whether a place comes before that of what was found so far. *)
+let earlier search i =
+  match search.query.found with
+  | Nothing -> true
+  | Found f ->
+      List.compare Int.compare (Way.path search.way i)
+        (Way.path f.search.way f.place)
+      <= 0
 
 let rec test_nearest search i surface =
-  (match surface with
-  | Group g -> ignore (visit g (enter search i g) test_nearest : bool)
+  match surface with
+  | Group g -> visit g (enter search i g) test_nearest
+  | Moving { motion; still } -> test_nearest (follow search motion) i still
   | Sphere _ | Box _ | Triangle _ | Quadric _ ->
-      let before = search.cursor.t in
+      let query = search.query in
+      let before = query.cursor.t in
       let contact = meet search i surface in
-      if not (Contact.is_none contact) then
-        keep search i surface contact ~before);
-  false
+      if
+        (not (Contact.is_none contact))
+        && (query.cursor.t < before || earlier search i)
+      then query.found <- Found { search; place = i; surface; contact };
+      false
 
 let rec test_blocked search i surface =
   match surface with
   | Group g -> visit g (enter search i g) test_blocked
+  | Moving { motion; still } -> test_blocked (follow search motion) i still
   | Sphere _ | Box _ | Triangle _ | Quadric _ ->
       not (Contact.is_none (meet search i surface))
 
@@ -164,31 +186,33 @@ let valid (ray : Ray.t) limit =
   && Vec.largest ray.direction > 0.
   && limit > 0.
 
-let math_of = function
+let rec math_of = function
   | Group { math; _ } -> math
+  | Moving { still; _ } -> math_of still
   | Sphere _ | Box _ | Triangle _ | Quadric _ -> Math.Stable
 
 (* The textbook's epsilon is a length, t is in units of the direction. *)
-let least (math : Math.t) (ray : Ray.t) =
+let cursor (math : Math.t) ?time (ray : Ray.t) limit =
   match math with
-  | Textbook -> Textbook.epsilon /. Vec.norm ray.direction
-  | Stable -> 0.
+  | Textbook ->
+      let least = Textbook.epsilon /. Vec.norm ray.direction in
+      Cursor.v ~least ?time limit
+  | Stable -> Cursor.v ?time limit
 
-let start surface (ray : Ray.t) limit =
+let start surface ?time (ray : Ray.t) limit =
   let rest, left =
     match ray.departure with
     | Nowhere -> ([], Contact.none)
     | Surface { path; part; side } -> (path, Contact.v ~part side)
   in
   let math = math_of surface in
+  let cursor = cursor math ?time ray limit in
   {
     ray = Object_ray.of_ray ray;
     math;
     rest;
-    left;
-    entered = [];
-    cursor = Cursor.v ~least:(least math ray) limit;
-    best = { found = None };
+    way = Outermost;
+    query = { left; cursor; found = Nothing };
   }
 
 (* A single surface is asked as the only member of a group whose own place does
@@ -196,11 +220,11 @@ let start surface (ray : Ray.t) limit =
 let run surface search test =
   match surface with
   | Group ({ transform = None; _ } as g) -> visit g search test
-  | Sphere _ | Box _ | Triangle _ | Quadric _ | Group { transform = Some _; _ }
-    ->
+  | Group { transform = Some _; _ }
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Moving _ ->
       test search 0 surface
 
-let locate { search = { ray; math; _ }; surface; contact; _ } t =
+let locate (math : Math.t) surface ray t contact =
   match (surface, math) with
   | Sphere (s, m), Stable -> Some (Sphere.locate s ray t contact, m)
   | Box (b, m), Stable -> Some (Box.locate b ray t contact, m)
@@ -210,28 +234,33 @@ let locate { search = { ray; math; _ }; surface; contact; _ } t =
   | Box (b, m), Textbook -> Some (Textbook.locate_box b ray t contact, m)
   | Triangle (s, m), Textbook -> Some (Textbook.locate_triangle s ray t, m)
   | Quadric (q, m), Textbook -> Some (Textbook.locate_quadric q ray t contact, m)
-  | Group _, _ -> None
+  | (Group _ | Moving _), _ -> None
 
-let hit found t =
-  let { search = { entered; math; _ }; place; contact; _ } = found in
-  let groups = List.filter_map (fun g -> g.around) entered in
-  Option.map
-    (fun (local, m) ->
-      Hit.v ~t ~math contact local ~groups ~path:(path entered place) m)
-    (locate found t)
+let hit query =
+  match query.found with
+  | Nothing -> None
+  | Found { search = { ray; math; way; _ }; place; surface; contact } -> (
+      let t = query.cursor.t in
+      match locate math surface ray t contact with
+      | None -> None
+      | Some (local, m) -> Some (Hit.v ~t ~math contact local way place m))
 
-let nearest surface ?(limit = infinity) ?effort ray =
+let count cursor = function
+  | None -> ()
+  | Some effort -> Effort.add cursor effort
+
+let nearest surface ?(limit = infinity) ?time ?effort ray =
   if not (valid ray limit) then None
   else
-    let search = start surface ray limit in
+    let search = start surface ?time ray limit in
     ignore (run surface search test_nearest : bool);
-    Option.iter (Effort.add search.cursor) effort;
-    Option.bind search.best.found (fun found -> hit found search.cursor.t)
+    count search.query.cursor effort;
+    hit search.query
 
-let blocked surface ?effort ~limit ray =
+let blocked surface ?time ?effort ~limit ray =
   valid ray limit
   &&
-  let search = start surface ray limit in
+  let search = start surface ?time ray limit in
   let blocked = run surface search test_blocked in
-  Option.iter (Effort.add search.cursor) effort;
+  count search.query.cursor effort;
   blocked

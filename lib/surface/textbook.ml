@@ -152,16 +152,19 @@ let group m (ray : Object_ray.t) =
   let back = (Transform.backward m).high in
   Object_ray.v (Affine.point back ray.origin) (Affine.vector back ray.direction)
 
+let moved d (ray : Object_ray.t) =
+  Object_ray.v (Point.add ray.origin (Vec.neg d)) ray.direction
+
 (* {1 What is hit} *)
 
-let local point normal ~flat ?shading_normal careful =
+let local point normal ~flat ?smooth careful =
   {
     Local.point;
     normal;
     error = Vec.zero;
     flat;
     uv = lazy (Lazy.force (careful ()).Local.uv);
-    shading_normal;
+    smooth;
   }
 
 let here (ray : Object_ray.t) t = at ray.origin ray.direction t
@@ -186,10 +189,8 @@ let locate_triangle (s : Triangle.t) ray t =
   let normal =
     Dir.of_vec_or Dir.z (Vec.cross (Point.sub b a) (Point.sub c a))
   in
-  let shading_normal =
-    Option.bind s.normals (fun _ -> (careful ()).shading_normal)
-  in
-  local (here ray t) normal ~flat:true ?shading_normal careful
+  let smooth = Option.bind s.normals (fun _ -> (careful ()).smooth) in
+  local (here ray t) normal ~flat:true ?smooth careful
 
 let locate_quadric q (ray : Object_ray.t) t contact =
   let p = here ray t in

@@ -25,6 +25,9 @@ val group : Transform.t -> Object_ray.t -> Object_ray.t
 (** [group m ray] is [ray] in the space inside [m]: its numbers multiplied by
     the inverse matrix, and rounded. *)
 
+val moved : Vec.t -> Object_ray.t -> Object_ray.t
+(** [moved d ray] is [ray] as seen by what has moved by [d], rounded. *)
+
 (** {1 What is hit}
 
     The point at [t], nowhere moved onto the surface; its error is not known and

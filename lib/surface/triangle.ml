@@ -286,6 +286,28 @@ let weights { corners; plane; _ } (ray : Object_ray.t) =
 let margin = 0x1p-48
 let clamp w ~most = if w > margin then if w < most then w else most else margin
 
+(* From each corner, the point is brought onto the tangent plane there if it is
+   behind that; the mean of this is where the curved surface bulges to. It is a
+   little beyond a sphere, so that the edges of the mesh are out of the way of
+   all that this surface faces. After J. Hanika, Hacking the Shadow Terminator,
+   Ray Tracing Gems II, 2021. *)
+let smooth { a; b; c } wb wc ((na : Dir.t), (nb : Dir.t), (nc : Dir.t)) =
+  let wa = 1. -. wb -. wc in
+  let na = (na :> Vec.t) and nb = (nb :> Vec.t) and nc = (nc :> Vec.t) in
+  let mix x y z =
+    Vec.add (Vec.scale x na) (Vec.add (Vec.scale y nb) (Vec.scale z nc))
+  in
+  let ab = Point.sub b a and ac = Point.sub c a and bc = Point.sub c b in
+  (* How far the tangent planes are above the point. *)
+  let ha = -.Vec.dot na (Vec.add (Vec.scale wb ab) (Vec.scale wc ac))
+  and hb = Vec.dot nb (Vec.sub (Vec.scale wa ab) (Vec.scale wc bc))
+  and hc = Vec.dot nc (Vec.add (Vec.scale wa ac) (Vec.scale wb bc)) in
+  let up h = if h > 0. then h else 0. and down h = if h < 0. then h else 0. in
+  let above = mix (wa *. up ha) (wb *. up hb) (wc *. up hc)
+  and below = mix (wa *. down ha) (wb *. down hb) (wc *. down hc) in
+  Dir.of_vec (mix wa wb wc)
+  |> Option.map (fun outward -> { Local.outward; above; below })
+
 let locate ({ corners; normals; uv; _ } as s) ray =
   let wb, wc = weights s ray in
   (* Together they stay 1, or the point would leave the plane. *)
@@ -298,11 +320,6 @@ let locate ({ corners; normals; uv; _ } as s) ray =
     let size = mix (Float.abs x) (Float.abs y) (Float.abs z) in
     7. *. 0x1p-53 *. size
   in
-  let smooth ((na : Dir.t), (nb : Dir.t), (nc : Dir.t)) =
-    let na = (na :> Vec.t) and nb = (nb :> Vec.t) and nc = (nc :> Vec.t) in
-    Dir.of_vec
-      (Vec.v (mix na.x nb.x nc.x) (mix na.y nb.y nc.y) (mix na.z nb.z nc.z))
-  in
   {
     Local.point = Point.v (mix a.x b.x c.x) (mix a.y b.y c.y) (mix a.z b.z c.z);
     normal = normal s;
@@ -313,5 +330,5 @@ let locate ({ corners; normals; uv; _ } as s) ray =
         (match uv with
         | Some t -> Some (mix t.ua t.ub t.uc, mix t.va t.vb t.vc)
         | None -> Some (wb, wc));
-    shading_normal = Option.bind (Option.bind normals directions) smooth;
+    smooth = Option.bind (Option.bind normals directions) (smooth corners wb wc);
   }

@@ -1,5 +1,6 @@
 open Candor_space
 open Candor_surface
+open Outline
 open Test_polygon
 
 (* {1 Outlines of whole numbers, seen from above} *)
@@ -105,7 +106,7 @@ let borders_exactly outline edges =
 (* Ends and middles are less than a width of the grid off a side, in units of
    the whole numbers. *)
 let bends_little outline edges =
-  let exact = Test_polygon.sides (List.map spot outline) in
+  let exact = Outline.sides (List.map spot outline) in
   let largest get =
     List.fold_left (fun m c -> Int.max m (Int.abs (get c))) 0 outline
   in
@@ -120,7 +121,7 @@ let bends_little outline edges =
     in
     reach p.x q.x wx r.x && reach p.y q.y wy r.y
     && Q.leq
-         (Q.abs (Test_polygon.cross p q r))
+         (Q.abs (Outline.cross p q r))
          (Q.add
             (Q.mul wx (Q.abs (Q.sub q.y p.y)))
             (Q.mul wy (Q.abs (Q.sub q.x p.x))))

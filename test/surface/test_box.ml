@@ -170,7 +170,7 @@ let uv (b : Bounds.t) (h : unit Hit.t) =
   let expected =
     match h.part / 2 with 0 -> (y, z) | 1 -> (x, z) | _ -> (x, y)
   in
-  match Lazy.force h.uv with
+  match Lazy.force h.local.uv with
   | Some ((u, v) as found) ->
       found = expected && u >= 0. && u <= 1. && v >= 0. && v <= 1.
   | None -> false

@@ -1,4 +1,5 @@
 open Candor_surface
+open Outline
 open Test_polygon
 open Test_border
 

@@ -46,7 +46,7 @@ let is_sound _ (l : Local.t) _ =
   && check "the normal is not unit" (unit l.normal)
   && check "the error is negative or not finite"
        (Vec.is_finite e && e.x >= 0. && e.y >= 0. && e.z >= 0.)
-  && check "the shading normal is no one's" (Option.is_none l.shading_normal)
+  && check "the shading normal is no one's" (Option.is_none l.smooth)
 
 let is_flat (s : Shapes.t) (l : Local.t) part =
   let expected =
@@ -206,8 +206,8 @@ let smooth_triangle () =
   let at x y = must (Shapes.Triangle t) (down x y) in
   let check name expected (l : Local.t) =
     Alcotest.(check bool) "flat still" true (Dir.equal Dir.z l.normal);
-    match (l.shading_normal, Dir.of_vec expected) with
-    | Some n, Some e ->
+    match (l.smooth, Dir.of_vec expected) with
+    | Some { outward = n; _ }, Some e ->
         let n = (n :> Vec.t) and e = (e :> Vec.t) in
         Alcotest.(check bool) name true (Vec.norm (Vec.sub n e) < 1e-14)
     | _ -> Alcotest.failf "%s: no shading normal" name

@@ -299,7 +299,7 @@ let uv_of_plane () =
     | None -> Alcotest.fail "missed"
     | Some h ->
         Alcotest.(check (option (pair (float 1e-12) (float 1e-12))))
-          "uv" (Some expected) (Lazy.force h.uv)
+          "uv" (Some expected) (Lazy.force h.local.uv)
   in
   check (v 0. 1. 0.) (p 3. 0. 5.) (3., 5.);
   check (v (-2.) 1. 0.) (p 0. 0. 5.) (0., 5.);
@@ -313,7 +313,7 @@ let uv_of_cylinder () =
   let uv ray =
     match Surface.nearest (Surface.quadric s ()) ray with
     | None -> Alcotest.fail "missed"
-    | Some h -> Option.get (Lazy.force h.uv)
+    | Some h -> Option.get (Lazy.force h.local.uv)
   in
   let _, v' = uv (Ray.v (p 5. 1.5 0.) (v (-1.) 0. 0.)) in
   Alcotest.(check (float 1e-12)) "along the axis" 0.25 v';

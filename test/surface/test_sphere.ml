@@ -142,7 +142,7 @@ let radial (s : Sphere.t) (h : unit Hit.t) =
 
 let uv_of_normal _ (h : unit Hit.t) =
   let n = (h.local.normal :> Vec.t) in
-  match Lazy.force h.uv with
+  match Lazy.force h.local.uv with
   | None -> false
   | Some (u, v) ->
       (* Near the poles the arcsine knows half of the digits. *)

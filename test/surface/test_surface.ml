@@ -16,8 +16,12 @@ let () =
       Test_disk.suite;
       Test_cut_form.suite;
       Test_quadric.suite;
+      Test_bulge.suite;
       Test_bvh.suite;
       Test_queries.suite;
+      Test_motion.suite;
+      Test_moving.suite;
+      Test_way.suite;
       Test_hit.suite;
       Test_reach.suite;
       Test_contact.suite;

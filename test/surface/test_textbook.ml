@@ -116,7 +116,7 @@ let agrees case =
       && check "part" (a.part = b.part)
       && check "point" (close_vec (place a.point) (place b.point))
       && check "normal" (close_vec (a.normal :> Vec.t) (b.normal :> Vec.t))
-      && check "uv" ((not b.local.flat) || close_uv a.uv b.uv)
+      && check "uv" ((not b.local.flat) || close_uv a.local.uv b.local.uv)
       && check "flat" (a.local.flat = b.local.flat)
       && check "path" (a.path = b.path)
       && check "material" (a.material = b.material)

@@ -127,7 +127,7 @@ let faces_ray (s : Triangle.t) (ray : Ray.t) (h : unit Hit.t) =
 
 let barycentric (s : Triangle.t) _ (h : unit Hit.t) =
   let { Triangle.a; b; c } = s.corners in
-  match Lazy.force h.uv with
+  match Lazy.force h.local.uv with
   | None -> false
   | Some (u, v) ->
       let w = 1. -. u -. v in
@@ -154,7 +154,7 @@ let exact_weights (s : Triangle.t) (ray : Ray.t) (h : unit Hit.t) =
   let thick = largest (sub b a) + largest (sub c a) in
   (* Off by the rounding of the way there, seen from the triangle. *)
   let bound = power (-33) * far / thick in
-  match Lazy.force h.uv with
+  match Lazy.force h.local.uv with
   | None -> false
   | Some (u, v) ->
       Q.leq (Q.abs (q u - (eb / sum))) bound
@@ -174,7 +174,7 @@ let own_uv () =
           Alcotest.(check (option (pair (float 0.) (float 0.))))
             "uv"
             (Some (35., 45.))
-            (Lazy.force h.uv))
+            (Lazy.force h.local.uv))
 
 let smooth () =
   let n x = v x 0. 1. in
