@@ -147,8 +147,10 @@ let json_number x =
     if Float.equal (float_of_string short) x then short
     else Printf.sprintf "%.17g" x
 
-let to_json c =
+let to_json ?(also = []) c =
+  let more (key, x) = Printf.sprintf {|,"%s":%s|} key (json_number x) in
   Printf.sprintf
-    {|{"width":%d,"height":%d,"unit":"%s","rmse":%s,"mae":%s,"max":%s,"rel_mse":%s,"non_finite":%d}|}
+    {|{"width":%d,"height":%d,"unit":"%s","rmse":%s,"mae":%s,"max":%s,"rel_mse":%s,"non_finite":%d%s}|}
     c.width c.height (unit_name c.measure) (json_number c.rmse)
     (json_number c.mae) (json_number c.max) (json_number c.rel_mse) c.non_finite
+    (String.concat "" (List.map more also))

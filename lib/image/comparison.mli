@@ -44,8 +44,9 @@ val within : float -> t -> bool
 val to_text : t -> string
 (** [to_text c] is [c] for people, one measure a line, each line ended. *)
 
-val to_json : t -> string
-(** [to_json c] is [c] as one line of JSON with the keys [width], [height],
-    [unit] (["1/255"] or ["linear"]), [rmse], [mae], [max], [rel_mse] and
-    [non_finite], without an end of line. Measures that are not finite are
-    [null]; finite ones read back as the same doubles. *)
+val to_json : ?also:(string * float) list -> t -> string
+(** [to_json ~also c] is [c] as one line of JSON with the keys [width],
+    [height], [unit] (["1/255"] or ["linear"]), [rmse], [mae], [max], [rel_mse],
+    [non_finite] and then those of [also] (default none), plain names of other
+    measures, without an end of line. Measures that are not finite are [null];
+    finite ones read back as the same doubles. *)

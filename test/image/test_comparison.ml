@@ -86,6 +86,12 @@ let json () =
          rel_mse = 0.0151447;
        });
   Alcotest.(check string)
+    "with more"
+    {|{"width":1,"height":1,"unit":"linear","rmse":0,"mae":0,"max":0,"rel_mse":0,"non_finite":0,"flip":0.25,"ppd":null}|}
+    (Comparison.to_json
+       ~also:[ ("flip", 0.25); ("ppd", nan) ]
+       (compare (linear [| 1.; 1.; 1. |]) (linear [| 1.; 1.; 1. |])));
+  Alcotest.(check string)
     "not finite"
     {|{"width":1,"height":1,"unit":"linear","rmse":null,"mae":null,"max":null,"rel_mse":null,"non_finite":1}|}
     (Comparison.to_json

@@ -13,4 +13,9 @@ let () =
       Test_pfm.suite;
       Test_picture_file.suite;
       Test_comparison.suite;
+      Test_plane.suite;
+      Test_flip_colour.suite;
+      Test_flip_filter.suite;
+      Test_magma.suite;
+      Test_flip.suite;
     ]
