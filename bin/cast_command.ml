@@ -1,7 +1,6 @@
 open Cmdliner
 open Candor_space
 open Candor_surface
-open Candor_scene
 
 (* {1 Reading rays} *)
 
@@ -52,7 +51,7 @@ let hex x = Printf.sprintf "%h" x
 let answer number surface (ray, limit) =
   match Surface.nearest surface ~limit ray with
   | None -> "miss"
-  | Some (h : Assembly.skin Hit.t) ->
+  | Some (h : Candor_optics.Skin.t Hit.t) ->
       let p = h.point and n = (h.normal :> Vec.t) in
       let path = List.map string_of_int h.path in
       String.concat " "
@@ -99,7 +98,9 @@ let run file math as_hex =
   | Error status -> status
   | Ok scene ->
       let reply =
-        answer (if as_hex then hex else decimal) (Assembly.surface ~math scene)
+        answer
+          (if as_hex then hex else decimal)
+          (Candor_optics.Skin.surface ~math scene)
       in
       let p =
         converse reply (Bytes.create 65536) { line = 0; bad = false; rest = "" }

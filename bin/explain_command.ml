@@ -12,21 +12,21 @@ let most_reasons = 6
 let reasons rs =
   let shown = List.filteri (fun i _ -> i < most_reasons) rs in
   let line (r : Reason.t) =
-    Printf.sprintf "      %s  [%s]" r.what (place_of r)
+    if Place.equal r.place Place.unknown then "      " ^ r.what
+    else Printf.sprintf "      %s  [%s]" r.what (place_of r)
   in
   let more = List.length rs - List.length shown in
   List.map line shown
   @ if more > 0 then [ Printf.sprintf "      and %d more" more ] else []
 
-let effect_lines plan e =
-  let head state why =
-    Printf.sprintf "%-13s %-4s %s%s" (Effect.name e) state (Effect.meaning e)
-      why
-  in
+let line name state says = Printf.sprintf "%-14s %-4s %s" name state says
+
+let on_lines plan e =
+  let head why = line (Effect.name e) "on" (Effect.meaning e ^ why) in
   match Plan.status plan e with
-  | Called rs -> head "on" "" :: reasons rs
-  | Forced -> [ head "on" "; nothing asks for it (--all-effects)" ]
-  | Off -> [ head "off" "; nothing in the scene asks for it" ]
+  | Called rs -> head "" :: reasons rs
+  | Forced -> [ head "; nothing asks for it (--all-effects)" ]
+  | Off -> []
 
 let unshadowed plan (scene : Scene.t) =
   let free = List.filter (fun (l : Light.t) -> not l.shadows) scene.lights in
@@ -38,34 +38,44 @@ let unshadowed plan (scene : Scene.t) =
       free
   else []
 
-let depth_line plan (scene : Scene.t) =
-  let why =
-    if Plan.depth plan = 0 && scene.settings.depth > 0 then "nothing reflects"
-    else "the scene's limit"
-  in
-  Printf.sprintf "%-13s %-4d reflections along one path at most: %s" "depth"
-    (Plan.depth plan) why
+let depth_line plan =
+  match Plan.depth plan with
+  | Steps { most; why } ->
+      line "depth" (string_of_int most)
+        ("steps from surface to surface along one path at most: " ^ why)
+  | Unbounded { why } -> line "depth" "none" why
+
+let finer plan scene : Effect.t -> string list = function
+  | Shadows -> unshadowed plan scene
+  | Emission | Ambient | Direct | Soft_shadows | Sky_light | Mirror | Refraction
+  | Dispersion | Absorption | Subsurface | Gloss | Indirect | Fog
+  | Depth_of_field | Motion_blur | Textures | Smooth_normals | Anti_aliasing ->
+      []
 
 let text plan scene =
-  let lines e =
-    effect_lines plan e
-    @
-    match (e : Effect.t) with
-    | Shadows -> unshadowed plan scene
-    | Ambient | Direct | Mirror -> []
+  let on, off = List.partition (Plan.is_on plan) Effect.all in
+  let off_line e =
+    Printf.sprintf "  %-17s %s" (Effect.name e) (Effect.meaning e)
   in
-  List.concat_map lines Effect.all @ [ depth_line plan scene ]
+  List.concat_map (fun e -> on_lines plan e @ finer plan scene e) on
+  @ [ depth_line plan ]
+  @
+  if off = [] then []
+  else "off, since nothing in the scene asks for it:" :: List.map off_line off
 
 (* {1 For programs} *)
 
 let json_reason (r : Reason.t) =
-  Json.Object
-    [
-      ("what", String r.what);
-      ("file", String r.place.file);
-      ("line", Int r.place.line);
-      ("column", Int r.place.column);
-    ]
+  let place : (string * Json.t) list =
+    if Place.equal r.place Place.unknown then []
+    else
+      [
+        ("file", String r.place.file);
+        ("line", Int r.place.line);
+        ("column", Int r.place.column);
+      ]
+  in
+  Json.Object (("what", String r.what) :: place)
 
 let json_effect plan e =
   let why =
@@ -79,11 +89,16 @@ let json_effect plan e =
         ("why", List (List.map json_reason why));
       ] )
 
+let json_depth plan : Json.t =
+  match Plan.depth plan with
+  | Steps { most; _ } -> Int most
+  | Unbounded _ -> Null
+
 let json plan =
   Json.Object
     [
       ("effects", Object (List.map (json_effect plan) Effect.all));
-      ("depth", Int (Plan.depth plan));
+      ("depth", json_depth plan);
     ]
 
 let run file settings all_effects as_json =

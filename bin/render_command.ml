@@ -98,7 +98,9 @@ let run o =
       let text = Picture_file.encode format ~binary:o.binary report.picture in
       let* () = wrong (Output.commit file text) in
       let* () = write_stats (Ledger.json scene plan report) in
-      if not o.quiet then Status.tell (Ledger.text ~name ~format scene report);
+      let warnings = Settings.warnings o.settings plan scene in
+      if not o.quiet then
+        Status.tell (Ledger.text ~name ~format ~warnings scene report);
       Ok Status.Fine
 
 (* {1 The command line} *)

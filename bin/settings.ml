@@ -66,8 +66,8 @@ let spp =
 
 let depth =
   option [ "depth" ] (whole ~docv:"N" ~least:0) "N"
-    "The most reflections along one path; 0 shows the first hit with its \
-     lights."
+    "The most reflections, refractions and bounces along one path; 0 shows the \
+     first hit with its lights."
 
 let cutoff =
   option [ "cutoff" ] weight "W"
@@ -95,13 +95,23 @@ let apply o (s : Scene.t) =
   let settings =
     {
       Scene.spp = or_ o.spp spp;
-      depth = or_ o.depth depth;
+      depth = (if Option.is_some o.depth then o.depth else depth);
       cutoff = or_ o.cutoff cutoff;
       seed = or_ o.seed seed;
       filter = or_ o.filter filter;
     }
   in
   { s with width; height; settings }
+
+let warnings o plan scene =
+  let off e =
+    "--depth 0 switches off "
+    ^ Candor_effect.Effect.name e
+    ^ ", which the scene calls for"
+  in
+  match o.depth with
+  | Some 0 -> List.map off (Candor_effect.Plan.cut_at_once plan scene)
+  | Some _ | None -> []
 
 (* {1 Scenes} *)
 

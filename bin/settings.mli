@@ -11,6 +11,10 @@ val term : t Cmdliner.Term.t
 val apply : t -> Scene.t -> Scene.t
 (** [apply o s] is [s] with what [o] overrides. *)
 
+val warnings : t -> Candor_effect.Plan.t -> Scene.t -> string list
+(** [warnings o plan s] says which effects that [s] calls for [o] switches off.
+*)
+
 val scene : string Cmdliner.Term.t
 (** [scene] is the one scene file that a command works on. *)
 

@@ -15,7 +15,7 @@ let side : Side.t -> string = function
   | Outside -> "outside"
   | Inside -> "inside"
 
-let hit (h : Assembly.skin Hit.t) =
+let hit (h : Candor_optics.Skin.t Hit.t) =
   [
     Printf.sprintf "meets surface %s [%s] at t = %.17g, from the %s"
       (path h.path)

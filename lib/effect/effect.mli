@@ -3,7 +3,27 @@
 
 open Candor_scene
 
-type t = Ambient | Direct | Shadows | Mirror [@@deriving show, eq, ord]
+type t =
+  | Emission
+  | Ambient
+  | Direct
+  | Shadows
+  | Soft_shadows
+  | Sky_light
+  | Mirror
+  | Refraction
+  | Dispersion
+  | Absorption
+  | Subsurface
+  | Gloss
+  | Indirect
+  | Fog
+  | Depth_of_field
+  | Motion_blur
+  | Textures
+  | Smooth_normals
+  | Anti_aliasing
+[@@deriving show, eq, ord]
 
 val all : t list
 (** [all] is every effect once, in the order that terms are summed. *)

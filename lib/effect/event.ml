@@ -7,7 +7,7 @@ type cut = Depth | Weight [@@deriving show, eq, ord]
 
 type t =
   | Enter of { kind : string; ray : Ray.t; throughput : Rgb.t }
-  | Met of Assembly.skin Hit.t
+  | Met of Candor_optics.Skin.t Hit.t
   | Met_nothing
   | Shadow of { light : Light.t; blocked : bool }
   | Faces_away of { light : Light.t }

@@ -13,7 +13,7 @@ type cut =
 type t =
   | Enter of { kind : string; ray : Ray.t; throughput : Rgb.t }
       (** a ray is followed; what happens until its [Leave] belongs to it *)
-  | Met of Assembly.skin Hit.t
+  | Met of Candor_optics.Skin.t Hit.t
   | Met_nothing
   | Shadow of { light : Light.t; blocked : bool }
       (** a shadow ray was traced *)

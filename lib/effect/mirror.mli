@@ -1,5 +1,6 @@
 (** Mirror reflection: of mirrors, and of the glaze on a glazed surface. *)
 
+open Candor_space
 open Candor_scene
 
 val name : string
@@ -8,8 +9,13 @@ val meaning : string
 val calls : Scene.t -> Reason.t list
 (** [calls s] are the materials in use that reflect. *)
 
-val term : depth:int -> cutoff:float -> Term.t
-(** [term ~depth ~cutoff] adds mirror·(what comes along r = 2(n·v)n − v), by
-    recursion, until the path has had [depth] reflections or its largest
-    throughput component falls below [cutoff]. What is cut adds nothing, and is
-    counted. *)
+val direction : _ Candor_surface.Hit.t -> Vec.t -> Vec.t
+(** [direction hit view] is where the viewer along [view] is reflected, above
+    the surface. *)
+
+val sharp : Path.journey -> Path.journey
+(** [sharp j] is [j] with {!Path.Sharp} as its arrival. *)
+
+val term : Limit.t -> Term.t
+(** [term limit] adds mirror·(what comes along r = 2(n·v)n − v), by recursion.
+*)

@@ -13,6 +13,10 @@ type t [@@deriving show, eq]
 val of_scene : Scene.t -> t
 (** [of_scene s] is the least plan that renders [s]. *)
 
+val forcing : Effect.t list -> Scene.t -> t
+(** [forcing es s] is [of_scene s] with [es] on too. {b Law.} It renders the
+    same bits as [of_scene s]. *)
+
 val all : Scene.t -> t
 (** [all s] has every effect on. {b Law.} It renders the same bits as
     [of_scene s]. *)
@@ -22,15 +26,44 @@ val status : t -> Effect.t -> status
 val is_on : t -> Effect.t -> bool
 (** [is_on p e] is [true] unless [e] is [Off]. *)
 
-val depth : t -> int
-(** [depth p] bounds the reflections along any path: 0 if nothing reflects, else
-    the scene's own limit. *)
+val is_called : t -> Effect.t -> bool
+(** [is_called p e] is [true] iff [e] is [Called]. *)
+
+val is_forced : t -> bool
+(** [is_forced p] is [true] iff [p] is {!all} of some scene. *)
+
+(** {1 Depth} *)
+
+type bound =
+  | Steps of { most : int; why : string }
+      (** no path has more reflections, refractions and bounces *)
+  | Unbounded of { why : string }
+[@@deriving show, eq]
+
+val depth : t -> bound
+(** [depth p] bounds the depth of paths. *)
+
+val cut_at_once : t -> Scene.t -> Effect.t list
+(** [cut_at_once p s] are the effects that [s] calls for and that a depth of 0
+    leaves out. *)
 
 (** {1 Assembling} *)
 
-type terms = (Effect.t * Term.t) list
+type equation = {
+  terms : (Effect.t * Term.t) list;
+      (** in the order in which they are summed *)
+  segment : Segment.t option;  (** what happens between surfaces, if anything *)
+  sky : Path.t -> Candor_space.Vec.t -> Candor_colour.Rgb.t;
+      (** what a path finds where there is no surface *)
+  tracer : Tracer.t;
+}
+(** The light equation of a scene. *)
 
-val compile : t -> Scene.t -> Assembly.skin Candor_surface.Surface.t -> terms
-(** [compile p s surface] are the terms of the effects that are on, in the order
-    in which they are summed; those that are off leave nothing behind. Shadows
-    have no term of their own: they decide which lights reach a point. *)
+val compile :
+  t -> Scene.t -> Candor_optics.Skin.t Candor_surface.Surface.t -> equation
+(** [compile p s surface] is made of the effects that are on; those that are off
+    leave nothing behind. *)
+
+val is_random : t -> bool
+(** [is_random p] is [true] iff something in [p] is left to chance, other than
+    where in a pixel its samples are. *)

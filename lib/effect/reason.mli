@@ -8,3 +8,7 @@ val v : string -> Place.t -> t
 
 val materials : (Material.t -> bool) -> Scene.t -> t list
 (** [materials p s] are the materials in use in [s] that satisfy [p]. *)
+
+val receivers : Scene.t -> t list
+(** [receivers s] is where light that falls can be seen: surfaces that spread
+    it, and media that scatter it. *)

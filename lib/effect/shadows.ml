@@ -19,19 +19,30 @@ let calls (scene : Scene.t) =
    the error of any t. *)
 let before_light = 1. -. 0x1p-50
 
-let shadow_ray source hit =
-  match (source : Illumination.source) with
-  | Along toward -> (Hit.spawn hit toward, infinity)
-  | At light ->
-      let ray = Hit.spawn hit (Point.sub light hit.point) in
-      (Ray.toward light ray, before_light)
+(* From where [spawn] starts rays, at [point]. *)
+let shadow_ray (source : Illumination.source) point spawn =
+  match source with
+  | Along toward -> spawn toward
+  | At light -> Ray.toward light (spawn (Point.sub light point))
 
-let reach surface (light : Light.t) : Direct.reach =
+let limit : Illumination.source -> float = function
+  | Along _ -> infinity
+  | At _ -> before_light
+
+let reach (tracer : Tracer.t) (light : Light.t) : Direct.reach =
   let source = Illumination.source light in
-  fun tally hit ->
-    let ray, limit = shadow_ray source hit in
+  let limit = limit source in
+  let is_free tally path ray =
     Tally.count tally Shadow_rays;
-    let effort = Tally.effort tally in
-    let blocked = Surface.blocked surface ~effort ~limit ray in
+    let blocked = tracer.blocked tally path ~limit ray in
     if Tally.watched tally then Tally.show tally (Shadow { light; blocked });
     not blocked
+  in
+  {
+    surface =
+      (fun tally path hit ->
+        is_free tally path (shadow_ray source hit.point (Hit.spawn_lit hit)));
+    space =
+      (fun tally path point ->
+        is_free tally path (shadow_ray source point (Ray.v point)));
+  }

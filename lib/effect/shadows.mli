@@ -1,7 +1,6 @@
 (** Shadows: a surface between a light and a point takes its light away. *)
 
 open Candor_scene
-open Candor_surface
 
 val name : string
 val meaning : string
@@ -9,6 +8,6 @@ val meaning : string
 val calls : Scene.t -> Reason.t list
 (** [calls s] are the lights of [s] that cast shadows. *)
 
-val reach : Assembly.skin Surface.t -> Light.t -> Direct.reach
-(** [reach surface l] is whether nothing of [surface] is between [l] and a hit:
-    one shadow ray, to the light itself and not beyond. *)
+val reach : Tracer.t -> Light.t -> Direct.reach
+(** [reach tracer l] is whether nothing is between [l] and a point: one shadow
+    ray, to the light itself and not beyond. *)

@@ -4,29 +4,59 @@ type counter =
   | Camera_rays
   | Shadow_rays
   | Mirror_rays
+  | Refraction_rays
+  | Bounce_rays
+  | Emitter_rays
+  | Sky_rays
+  | Scattered_rays
   | Cut_by_depth
   | Cut_by_weight
   | Non_finite
+  | Spared_samples
 [@@deriving show, eq, ord]
 
-let rays = [ Camera_rays; Shadow_rays; Mirror_rays ]
-let counters = rays @ [ Cut_by_depth; Cut_by_weight; Non_finite ]
+let rays =
+  [
+    Camera_rays;
+    Shadow_rays;
+    Mirror_rays;
+    Refraction_rays;
+    Bounce_rays;
+    Emitter_rays;
+    Sky_rays;
+    Scattered_rays;
+  ]
+
+let counters =
+  rays @ [ Cut_by_depth; Cut_by_weight; Non_finite; Spared_samples ]
 
 let name = function
   | Camera_rays -> "camera"
   | Shadow_rays -> "shadow"
   | Mirror_rays -> "mirror"
+  | Refraction_rays -> "refraction"
+  | Bounce_rays -> "bounce"
+  | Emitter_rays -> "emitter"
+  | Sky_rays -> "sky"
+  | Scattered_rays -> "scattered"
   | Cut_by_depth -> "cut_by_depth"
   | Cut_by_weight -> "cut_by_weight"
   | Non_finite -> "non_finite"
+  | Spared_samples -> "spared_samples"
 
 let index = function
   | Camera_rays -> 0
   | Shadow_rays -> 1
   | Mirror_rays -> 2
-  | Cut_by_depth -> 3
-  | Cut_by_weight -> 4
-  | Non_finite -> 5
+  | Refraction_rays -> 3
+  | Bounce_rays -> 4
+  | Emitter_rays -> 5
+  | Sky_rays -> 6
+  | Scattered_rays -> 7
+  | Cut_by_depth -> 8
+  | Cut_by_weight -> 9
+  | Non_finite -> 10
+  | Spared_samples -> 11
 
 type t = {
   counts : int array;

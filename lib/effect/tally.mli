@@ -6,9 +6,16 @@ type counter =
   | Camera_rays
   | Shadow_rays
   | Mirror_rays
-  | Cut_by_depth  (** reflections left out: the path was at its depth *)
-  | Cut_by_weight  (** reflections left out: the throughput was too small *)
+  | Refraction_rays  (** what glass reflects and lets through *)
+  | Bounce_rays  (** indirect light *)
+  | Emitter_rays  (** towards area lights, and in search of them *)
+  | Sky_rays  (** towards the bright parts of a sky *)
+  | Scattered_rays  (** after scattering in a medium *)
+  | Cut_by_depth  (** steps left out: the path was at its depth *)
+  | Cut_by_weight  (** steps left out: the throughput was too small *)
   | Non_finite  (** samples whose radiance was infinite or not a number *)
+  | Spared_samples
+      (** samples that were not taken: another had decided the pixel *)
 [@@deriving show, eq, ord]
 
 val counters : counter list

@@ -2,10 +2,9 @@ open Candor_space
 open Candor_colour
 open Candor_surface
 open Candor_optics
-open Candor_scene
 
 type vertex = {
-  hit : Assembly.skin Hit.t;
+  hit : Skin.t Hit.t;
   view : Vec.t;
   lobes : Lobes.t;
   path : Path.t;

@@ -5,10 +5,9 @@ open Candor_space
 open Candor_colour
 open Candor_surface
 open Candor_optics
-open Candor_scene
 
 type vertex = {
-  hit : Assembly.skin Hit.t;  (** where the path met a surface *)
+  hit : Skin.t Hit.t;  (** where the path met a surface *)
   view : Vec.t;  (** from there back along the ray, of any length *)
   lobes : Lobes.t;  (** what the surface does with light there *)
   path : Path.t;

@@ -1,4 +1,5 @@
 open Candor_space
+open Candor_colour
 open Candor_surface
 open Candor_scene
 
@@ -21,3 +22,14 @@ let rec v (texture : Texture.t) (local : Local.t) =
       let skip = left_out local in
       let odd axis = axis <> skip && odd scale (Point.get local.point axis) in
       if odd 0 <> odd 1 <> odd 2 then v other local else v even local
+  | Noise { first; second; scale; octaves } ->
+      let { Point.x; y; z } = local.point in
+      let p = Point.v (x /. scale) (y /. scale) (z /. scale) in
+      let mix = Noise.mix ~octaves p in
+      Rgb.add
+        (Rgb.scale (1. -. mix) (v first local))
+        (Rgb.scale mix (v second local))
+  | Image { texels; _ } -> (
+      match Lazy.force local.uv with
+      | Some (u, v) -> Texels.bilinear_repeating texels ~u ~v
+      | None -> Rgb.black)

@@ -8,3 +8,4 @@ let compile : Scene.background -> Vec.t -> Rgb.t = function
       fun d ->
         let s = 0.5 *. (1. +. (d.y /. Vec.norm d)) in
         Rgb.add (Rgb.scale (1. -. s) down) (Rgb.scale s up)
+  | Image { texels; _ } -> Texels.radiance texels

@@ -14,21 +14,41 @@ let is_along up view =
   in
   Vec.equal (Vec.cross (near_one up) (near_one view)) Vec.zero
 
-let camera frame =
+let shutter =
+  let in_order (t : float array) =
+    if t.(0) <= t.(1) then Ok { Camera.opens = t.(0); closes = t.(1) }
+    else Error "T0 must not be above T1"
+  in
+  Quantity.numbers "T0 T1" Rule.length |> check in_order
+
+(* What differs between cameras: the frame, and what may go with it. *)
+type optics = {
+  frame : (Camera.frame, string) result;
+  near : float option;
+  lens : (Camera.lens option, string) result;
+}
+
+let camera optics =
   let camera =
     let+ eye = field "eye" point
     and+ look_at = field "look-at" point
     and+ up = default "up" direction (Vec.v 0. 1. 0.)
-    and+ frame = frame
-    and+ near = optional "near" (Quantity.scalar "D" Rule.distance)
-    and+ () = later [ "shutter" ] in
+    and+ shutter = default "shutter" shutter Camera.instant
+    and+ { frame; near; lens } = optics in
     if Point.equal eye look_at then Error "eye and look-at are the same point"
     else if is_along up (Point.sub look_at eye) then
       Error "up points along the view"
     else
-      Result.map (fun frame -> { Camera.eye; look_at; up; frame; near }) frame
+      let ( let* ) = Result.bind in
+      let* frame = frame in
+      let* lens = lens in
+      Ok
+        (fun place ->
+          { Camera.eye; look_at; up; frame; near; lens; shutter; place })
   in
   fields camera |> check Fun.id
+
+let near = optional "near" (Quantity.scalar "D" Rule.distance)
 
 let window =
   let is_empty (w : Camera.window) =
@@ -40,11 +60,10 @@ let window =
       { Camera.left = w.(0); right = w.(1); bottom = w.(2); top = w.(3) })
   |> check is_empty
 
-let perspective =
+let angle_or_window =
   let+ fov_y = optional "fov-y" (Quantity.scalar "DEG" (Rule.between 0. 180.))
   and+ window = optional "window" window
-  and+ distance = optional "distance" (size "D")
-  and+ () = later [ "aperture-radius"; "focus-distance" ] in
+  and+ distance = optional "distance" (size "D") in
   match (fov_y, window, distance) with
   | Some fov_y, None, None -> Ok (Camera.Perspective_angle { fov_y })
   | None, Some window, Some distance ->
@@ -55,7 +74,20 @@ let perspective =
   | None, Some _, None -> Error "give (distance D) with window"
   | _, None, Some _ -> Error "give (window L R B T) with distance"
 
-let orthographic =
+let lens =
+  let+ radius = optional "aperture-radius" (Quantity.scalar "R" Rule.distance)
+  and+ focus = optional "focus-distance" (size "D") in
+  match (radius, focus) with
+  | None, None -> Ok None
+  | Some radius, Some focus -> Ok (Some { Camera.radius; focus })
+  | Some _, None -> Error "give (focus-distance D) with aperture-radius"
+  | None, Some _ -> Error "give (aperture-radius R) with focus-distance"
+
+let perspective =
+  let+ frame = angle_or_window and+ near = near and+ lens = lens in
+  { frame; near; lens }
+
+let height_or_window =
   let+ height = optional "height" (size "H")
   and+ window = optional "window" window in
   match (height, window) with
@@ -64,9 +96,19 @@ let orthographic =
   | None, None -> Error "give (height H) or (window L R B T)"
   | Some _, Some _ -> Error "give height or window, not both"
 
+let orthographic =
+  let+ frame = height_or_window and+ near = near in
+  { frame; near; lens = Ok None }
+
+let panorama =
+  let+ () = nothing in
+  { frame = Ok Camera.Panorama; near = None; lens = Ok None }
+
 let camera =
-  choice "camera" ~later:[ "panorama" ]
+  choice "camera"
     [
-      ("perspective", camera perspective); ("orthographic", camera orthographic);
+      ("perspective", camera perspective);
+      ("orthographic", camera orthographic);
+      ("panorama", camera panorama);
     ]
-  |> one "CAMERA"
+  |> one "CAMERA" |> placed

@@ -28,6 +28,13 @@ let ( and+ ) f g =
     take;
   }
 
+let nothing =
+  {
+    suggest = (fun () -> Form.no_words);
+    takes = (fun _ -> false);
+    take = (fun _ _ ~sound:_ -> Some ());
+  }
+
 let is_headed head s =
   match Located.head s with Some h -> String.equal h head | None -> false
 

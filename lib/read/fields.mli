@@ -22,6 +22,9 @@ val fields : 'a fields -> 'a body
 val ( let+ ) : 'a fields -> ('a -> 'b) -> 'b fields
 val ( and+ ) : 'a fields -> 'b fields -> ('a * 'b) fields
 
+val nothing : unit fields
+(** [nothing] is no field at all. *)
+
 val field : string -> 'a body -> 'a fields
 (** [field head b] is the form [head], which must be there, once. *)
 

@@ -8,3 +8,6 @@ val definition : (string * Span.t * Material.t option) body
 
 val use : Scene.material body
 (** [use] is the name of a material, or a material. *)
+
+val anisotropy : float Fields.fields
+(** [anisotropy] is Henyey and Greenstein's, in \]-1;1\[; 0 if left out. *)

@@ -1,8 +1,11 @@
 open Candor_scene
 
+(* [Place] is what only the scene remembers, to be found again in the text. *)
+type spot = Nowhere | Span of Span.t | Place of Place.t
+
 type note = {
   source : Source.t;
-  span : Span.t option;
+  spot : spot;
   message : string;
   hint : string option;
 }
@@ -26,6 +29,7 @@ type book = {
   mutable incomplete : bool;
   mutable materials : mention Names.t;
   mutable definitions : mention Names.t;
+  mutable pictures : (Texels.t, string) result Names.t;
 }
 
 type t = { book : book; source : Source.t }
@@ -42,6 +46,7 @@ let make () =
       incomplete = false;
       materials = Names.empty;
       definitions = Names.empty;
+      pictures = Names.empty;
     }
   in
   { book; source = Source.of_string ~name:"" "" }
@@ -54,6 +59,7 @@ let place_in source (span : Span.t) =
   { Place.file = Source.name source; line = span.line; column = span.column }
 
 let place n span = place_in n.source span
+let beside n path = Source.beside n.source path
 let is_full book = book.length >= longest
 
 let add book note =
@@ -63,11 +69,14 @@ let add book note =
     book.length <- book.length + 1)
 
 let error n span ?hint message =
-  add n.book { source = n.source; span = Some span; message; hint }
+  add n.book { source = n.source; spot = Span span; message; hint }
 
 let refuse n span ?hint message =
   error n span ?hint message;
   None
+
+let error_at n place ?hint message =
+  add n.book { source = n.source; spot = Place place; message; hint }
 
 let give_up n = n.book.incomplete <- true
 let is_clean n = n.book.length = 0
@@ -77,15 +86,15 @@ let fault n (f : Fault.t) =
   let trusted (note : note) =
     note.source != n.source
     ||
-    match note.span with
-    | Some span -> span.offset < f.distrust
-    | None -> true
+    match note.spot with
+    | Span span -> span.offset < f.distrust
+    | Nowhere | Place _ -> true
   in
   give_up n;
   n.book.notes <- List.filter trusted n.book.notes;
   n.book.length <- List.length n.book.notes;
-  add n.book
-    { source = n.source; span = f.span; message = f.message; hint = f.hint }
+  let spot = Option.fold f.span ~none:Nowhere ~some:(fun s -> Span s) in
+  add n.book { source = n.source; spot; message = f.message; hint = f.hint }
 
 let mentions book = function
   | Material -> book.materials
@@ -105,6 +114,14 @@ let mention n kind name first =
       | Definition -> n.book.definitions <- mentions);
       name
 
+let picture n key load =
+  match Names.find_opt key n.book.pictures with
+  | Some picture -> picture
+  | None ->
+      let picture = load () in
+      n.book.pictures <- Names.add key picture n.book.pictures;
+      picture
+
 let noun = function Material -> "material" | Definition -> "definition"
 
 let check_mentions n kind ~is_known ~known =
@@ -120,9 +137,39 @@ let check_mentions n kind ~is_known ~known =
         Printf.sprintf "no %s is called %s%s" (noun kind) (Quote.word name)
           times
       in
-      add n.book { source = m.where; span = Some m.first; message; hint }
+      add n.book { source = m.where; spot = Span m.first; message; hint }
   in
   Names.iter check (mentions n.book kind)
+
+(* The notes with places as spans of their sources, each read once for that. *)
+let retraced book =
+  let sources =
+    Names.of_list (List.map (fun s -> (Source.name s, s)) book.sources)
+  in
+  let gather places note =
+    match note.spot with
+    | Place p -> Names.add_to_list p.file p places
+    | Span _ | Nowhere -> places
+  in
+  let retrace file places =
+    let spans source = (source, Retrace.spans source places) in
+    Option.map spans (Names.find_opt file sources)
+  in
+  let spans =
+    List.fold_left gather Names.empty book.notes |> Names.filter_map retrace
+  in
+  let span (p : Place.t) =
+    let found (source, span) = Option.map (fun s -> (source, s)) (span p) in
+    Option.bind (Names.find_opt p.file spans) found
+  in
+  let replace note =
+    match note.spot with
+    | Span _ | Nowhere -> note
+    | Place p ->
+        let found (source, s) = { note with source; spot = Span s } in
+        Option.fold (span p) ~none:note ~some:found
+  in
+  List.map replace book.notes
 
 (* Places of notes in order: the rank of the file, then the offset in it. *)
 let keys book =
@@ -130,7 +177,9 @@ let keys book =
   let ranks = Names.of_seq (List.to_seq (List.mapi rank book.sources)) in
   fun (note : note) ->
     let offset =
-      match note.span with Some s -> s.offset + s.mark | None -> -1
+      match note.spot with
+      | Span s -> s.offset + s.mark
+      | Place _ | Nowhere -> -1
     in
     let rank = Names.find_opt (Source.name note.source) ranks in
     (Option.value rank ~default:0, offset, note.message)
@@ -144,22 +193,20 @@ let compare_keys (rank, offset, message) (rank', offset', message') =
   | order -> order
 
 let to_error (note : note) : Error.t =
-  let nowhere =
-    { Place.file = Source.name note.source; line = 0; column = 0 }
+  let place, excerpt =
+    match note.spot with
+    | Span s -> (place_in note.source s, Excerpt.of_source note.source s)
+    | Place p -> (p, None)
+    | Nowhere -> ({ file = Source.name note.source; line = 0; column = 0 }, None)
   in
-  {
-    place = Option.fold note.span ~none:nowhere ~some:(place_in note.source);
-    message = note.message;
-    hint = note.hint;
-    excerpt = Option.bind note.span (Excerpt.of_source note.source);
-  }
+  { place; message = note.message; hint = note.hint; excerpt }
 
 let report n : Error.report =
   let key = keys n.book in
   let notes =
     List.sort_uniq
       (fun a b -> compare_keys (key a) (key b))
-      (List.rev n.book.notes)
+      (List.rev (retraced n.book))
   in
   let shown = List.filteri (fun i _ -> i < Error.most) notes in
   {

@@ -17,11 +17,18 @@ val within : t -> Source.t -> t
 val place : t -> Span.t -> Place.t
 (** [place n span] is where [span] is in the text that [n] is about. *)
 
+val beside : t -> string -> string
+(** [beside n path] is [path] as seen from the folder of that text. *)
+
 val error : t -> Span.t -> ?hint:string -> string -> unit
 (** [error n span message] notes that [message] applies to [span]. *)
 
 val refuse : t -> Span.t -> ?hint:string -> string -> 'a option
 (** [refuse n span message] is [None], with that {!error}. *)
+
+val error_at : t -> Place.t -> ?hint:string -> string -> unit
+(** [error_at n place message] notes that [message] applies to the form at
+    [place], in whichever text that is. *)
 
 val fault : t -> Fault.t -> unit
 (** [fault n f] notes that the text was not read to its end, forgets what is
@@ -48,6 +55,14 @@ val check_mentions :
 (** [check_mentions n kind ~is_known ~known] notes an error for each name that
     was mentioned but is not known, at its first mention. [known] is for hints.
 *)
+
+val picture :
+  t ->
+  string ->
+  (unit -> (Texels.t, string) result) ->
+  (Texels.t, string) result
+(** [picture n key load] is [load ()], the same for all that ask with this
+    [key]: a file is read once however often a scene names it. *)
 
 val report : t -> Error.report
 (** [report n] is all errors by place, files in the order of their reading, the

@@ -17,6 +17,9 @@ let vector head v = numbers head (components v)
 let tuple xs = list (List.map number xs)
 let option head print = Option.fold ~none:[] ~some:(fun x -> [ print head x ])
 
+let bounds head b =
+  form head [ point "min" (Bounds.low b); point "max" (Bounds.high b) ]
+
 (* Zeros of both signs stay apart. *)
 let is_same x y = Int64.equal (Int64.bits_of_float x) (Int64.bits_of_float y)
 
@@ -31,6 +34,15 @@ let rec texture (t : Texture.t) =
   | Constant c -> colour c
   | Checker { even; odd; scale } ->
       form "checker" [ texture even; texture odd; scalar "scale" scale ]
+  | Noise { first; second; scale; octaves } ->
+      form "noise"
+        [
+          texture first;
+          texture second;
+          scalar "scale" scale;
+          form "octaves" [ whole octaves ];
+        ]
+  | Image { file; _ } -> form "image" [ atom file ]
 
 (* {1 Camera, lights, settings} *)
 
@@ -46,11 +58,23 @@ let camera (c : Camera.t) =
     | Orthographic_height { height } ->
         ("orthographic", [ scalar "height" height ])
     | Orthographic_window { window = w } -> ("orthographic", [ window w ])
+    | Panorama -> ("panorama", [])
   in
   let view =
     [ point "eye" c.eye; point "look-at" c.look_at; vector "up" c.up ]
   in
-  form "camera" [ form head (view @ frame @ option "near" scalar c.near) ]
+  let lens =
+    match c.lens with
+    | None -> []
+    | Some { radius; focus } ->
+        [ scalar "aperture-radius" radius; scalar "focus-distance" focus ]
+  in
+  let shutter =
+    if Camera.equal_shutter c.shutter Camera.instant then []
+    else [ numbers "shutter" [ c.shutter.opens; c.shutter.closes ] ]
+  in
+  form "camera"
+    [ form head (view @ frame @ option "near" scalar c.near @ lens @ shutter) ]
 
 let falloff (f : Light.falloff) =
   match f with Square -> [] | Constant -> [ form "falloff" [ atom "none" ] ]
@@ -79,23 +103,35 @@ let background (b : Scene.background) =
   | Uniform c -> rgb "background" c
   | Gradient { down; up } ->
       form "background" [ form "gradient" [ rgb "down" down; rgb "up" up ] ]
+  | Image { file; _ } -> form "background" [ form "image" [ atom file ] ]
+
+let fog (f : Scene.fog Scene.placed) =
+  let { Scene.extinction; albedo; anisotropy; within } = f.value in
+  form "fog"
+    ([ rgb "extinction" extinction; rgb "albedo" albedo ]
+    @ [ scalar "anisotropy" anisotropy ]
+    @ option "within" bounds within)
 
 let settings (s : Scene.settings) =
   let filter = match s.filter with Box -> "box" | Tent -> "tent" in
   form "render"
-    [
-      form "spp" [ whole s.spp ];
-      form "depth" [ whole s.depth ];
-      scalar "cutoff" s.cutoff;
-      form "seed" [ whole s.seed ];
-      form "filter" [ atom filter ];
-    ]
+    ([ form "spp" [ whole s.spp ] ]
+    @ option "depth" (fun head n -> form head [ whole n ]) s.depth
+    @ [
+        scalar "cutoff" s.cutoff;
+        form "seed" [ whole s.seed ];
+        form "filter" [ atom filter ];
+      ])
 
 (* {1 Materials} *)
 
 let material (m : Material.t) =
   let color t = form "color" [ texture t ] in
-  match m with
+  let emission =
+    if Material.emits m then [ rgb "emission" m.emission ] else []
+  in
+  let form head body = Layout.form head (body @ emission) in
+  match m.kind with
   | Matte { color = c } -> form "matte" [ color c ]
   | Phong { color = c; specular; shininess } ->
       form "phong"
@@ -103,6 +139,28 @@ let material (m : Material.t) =
   | Mirror { color = c } -> form "mirror" [ color c ]
   | Glazed { color = c; mirror } ->
       form "glazed" [ color c; rgb "mirror" mirror ]
+  | Glass { index; color = c; absorption; dispersion } ->
+      form "glass"
+        ([ scalar "index" index; color c; rgb "absorption" absorption ]
+        @ option "dispersion" scalar dispersion)
+  | Metal { reflectance; roughness } ->
+      form "metal"
+        [
+          Layout.form "reflectance" [ texture reflectance ];
+          scalar "roughness" roughness;
+        ]
+  | Plastic { color = c; index; roughness } ->
+      form "plastic"
+        [ color c; scalar "index" index; scalar "roughness" roughness ]
+  | Translucent { index; scattering; absorption; anisotropy } ->
+      form "translucent"
+        [
+          scalar "index" index;
+          rgb "scattering" scattering;
+          rgb "absorption" absorption;
+          scalar "anisotropy" anisotropy;
+        ]
+  | Emitter -> Layout.form "emitter" [ rgb "radiance" m.emission ]
 
 let material_use head (m : Scene.material) =
   match m with
@@ -150,9 +208,6 @@ let quadric_shape (s : Quadric_shape.t) =
   | Hyperboloid_two_sheets { center; radii } ->
       centred "hyperboloid-two-sheets" center radii
 
-let bounds head b =
-  form head [ point "min" (Bounds.low b); point "max" (Bounds.high b) ]
-
 let quadric q =
   (quadric_shape (Quadric.shape q) :: option "clip" bounds (Quadric.clip q))
   @ if Quadric.caps q then [ form "caps" [] ] else []
@@ -172,8 +227,12 @@ let transform steps =
   if List.is_empty steps then [] else [ form "transform" (List.map step steps) ]
 
 let rec surface (s : Scene.surface) =
-  let material = option "material" material_use s.material in
-  let form head body = form head (body @ material) in
+  let motion = if Scene.is_still s then [] else [ vector "motion" s.motion ]
+  and both_sides = if s.both_sides then [ form "both-sides" [] ] else [] in
+  let attributes =
+    option "material" material_use s.material @ motion @ both_sides
+  in
+  let form head body = form head (body @ attributes) in
   match s.shape with
   | Sphere s ->
       form "sphere"
@@ -204,6 +263,8 @@ let forms (s : Scene.t) =
     [ form "image" [ image ]; settings s.settings; camera s.camera ]
     @ [ background s.background ]
     @ option "ambient" ambient s.ambient
+    @ option "indirect-light" (fun head _ -> form head []) s.indirect
+    @ Option.fold ~none:[] ~some:(fun f -> [ fog f ]) s.fog
   in
   let each print list = Seq.map print (List.to_seq list) in
   Seq.concat

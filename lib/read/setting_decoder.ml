@@ -1,3 +1,4 @@
+open Candor_space
 open Candor_scene
 open Decode
 open Fields
@@ -14,8 +15,7 @@ let render =
   let d = Scene.default_settings in
   fields
     (let+ spp = default "spp" (Quantity.whole "N" ~min:1 ~max:0x40000000) d.spp
-     and+ depth =
-       default "depth" (Quantity.whole "N" ~min:0 ~max:0x40000000) d.depth
+     and+ depth = optional "depth" (Quantity.whole "N" ~min:0 ~max:0x40000000)
      and+ cutoff =
        default "cutoff" (Quantity.scalar "W" (Rule.within 0. 1.)) d.cutoff
      and+ seed = default "seed" (Quantity.whole "N" ~min:0 ~max:max_int) d.seed
@@ -30,6 +30,26 @@ let background =
        and+ up = field "up" Colour_decoder.light in
        Scene.Gradient { down; up })
   in
-  Colour_decoder.light_or "background" ~later:[ "image" ]
-    [ ("gradient", gradient) ]
+  let image =
+    Colour_decoder.radiance
+    |> map (fun (file, texels) -> Scene.Image { file; texels })
+  in
+  Colour_decoder.light_or "background"
+    [ ("gradient", gradient); ("image", image) ]
     (fun colour -> Scene.Uniform colour)
+
+let indirect = flag |> map (fun () place -> place) |> placed
+
+let not_flat (b : Bounds.t) =
+  if b.x0 < b.x1 && b.y0 < b.y1 && b.z0 < b.z1 then Ok b
+  else Error "min must be below max on every axis"
+
+let fog =
+  fields
+    (let+ extinction = field "extinction" Colour_decoder.light
+     and+ albedo = field "albedo" Colour_decoder.reflectance
+     and+ anisotropy = Material_decoder.anisotropy
+     and+ within = optional "within" (check not_flat Geometry_decoder.bounds) in
+     { Scene.extinction; albedo; anisotropy; within })
+  |> map (fun value place -> { Scene.value; place })
+  |> placed

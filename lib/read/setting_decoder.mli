@@ -12,4 +12,11 @@ val render : Scene.settings body
     out. *)
 
 val background : Scene.background body
-(** [background] is a colour of light or a gradient. *)
+(** [background] is a colour of light, a gradient or a picture. *)
+
+val indirect : Place.t body
+(** [indirect] is nothing: that [(indirect-light)] is there says it all. *)
+
+val fog : Scene.fog Scene.placed body
+(** [fog] is a medium with [extinction], [albedo], and perhaps [anisotropy] and
+    [within]. *)

@@ -1,3 +1,4 @@
+open Candor_space
 open Candor_surface
 open Candor_scene
 open Decode
@@ -8,8 +9,9 @@ open Geometry_decoder
 
 let attributes =
   let+ material = optional "material" Material_decoder.use
-  and+ () = later [ "motion"; "both-sides" ] in
-  fun shape place -> { Scene.shape; material; place }
+  and+ motion = default "motion" vector Vec.zero
+  and+ both_sides = present "both-sides" in
+  fun shape place -> { Scene.shape; material; motion; both_sides; place }
 
 (* [surface wrap shape] is a surface with the fields of [shape]. *)
 let surface wrap shape =

@@ -1,3 +1,4 @@
+open Candor_space
 open Candor_scene
 open Decode
 module Names = Map.Make (String)
@@ -10,6 +11,8 @@ type t = {
   camera : Camera.t option;
   background : Scene.background;
   ambient : Candor_colour.Rgb.t Scene.placed option;
+  indirect : Place.t option;
+  fog : Scene.fog Scene.placed option;
   settings : Scene.settings;
   lights : Light.t list;
   materials : Material.t Scene.named list;
@@ -26,6 +29,8 @@ let empty =
     camera = None;
     background = Uniform Candor_colour.Rgb.black;
     ambient = None;
+    indirect = None;
+    fog = None;
     settings = Scene.default_settings;
     lights = [];
     materials = [];
@@ -117,8 +122,7 @@ let inclusion include_ =
       Option.map add (read_body file notes form))
 
 let form ~include_ =
-  choice "form"
-    ~later:([ "indirect-light"; "fog" ] @ Surface_decoder.unbuilt)
+  choice "form" ~later:Surface_decoder.unbuilt
     ([
        ("image", once Setting_decoder.image (fun image t -> { t with image }));
        ( "camera",
@@ -127,6 +131,10 @@ let form ~include_ =
          once Setting_decoder.background (fun background t ->
              { t with background }) );
        ("ambient", once ambient (fun a t -> { t with ambient = Some a }));
+       ( "indirect-light",
+         once Setting_decoder.indirect (fun place t ->
+             { t with indirect = Some place }) );
+       ("fog", once Setting_decoder.fog (fun f t -> { t with fog = Some f }));
        ( "render",
          once Setting_decoder.render (fun settings t -> { t with settings }) );
        ( "light",
@@ -162,34 +170,51 @@ let check_camera notes span t =
     Notes.error notes span "the scene has no camera"
       ~hint:"add (camera (perspective (eye 0 1 5) (look-at 0 1 0) (fov-y 40)))"
 
-let check notes span t =
+let check_names notes t =
   let check_mentions kind names =
     Notes.check_mentions notes kind
       ~is_known:(fun name -> Names.mem name names)
       ~known:(List.map fst (Names.bindings names))
   in
-  if not (Notes.incomplete notes) then (
-    check_mentions Material t.material_names;
-    check_mentions Definition t.definition_names;
-    check_cycles t;
-    check_camera notes span t)
+  check_mentions Material t.material_names;
+  check_mentions Definition t.definition_names
+
+(* Stands in for a camera that is missing or wrong, so that what is wrong with
+   the rest is told all the same. *)
+let no_camera =
+  {
+    Camera.eye = Point.origin;
+    look_at = Point.v 0. 0. (-1.);
+    up = Vec.v 0. 1. 0.;
+    frame = Panorama;
+    near = None;
+    lens = None;
+    shutter = Camera.instant;
+    place = Place.unknown;
+  }
+
+let scene t =
+  let width, height = t.image in
+  {
+    Scene.width;
+    height;
+    camera = Option.value t.camera ~default:no_camera;
+    background = t.background;
+    ambient = t.ambient;
+    indirect = t.indirect;
+    fog = t.fog;
+    settings = t.settings;
+    lights = List.rev t.lights;
+    materials = List.rev t.materials;
+    definitions = List.rev t.definitions;
+    surfaces = List.rev t.surfaces;
+  }
 
 let finish notes span t =
-  check notes span t;
-  match t.camera with
-  | Some camera when Notes.is_clean notes ->
-      let width, height = t.image in
-      Some
-        {
-          Scene.width;
-          height;
-          camera;
-          background = t.background;
-          ambient = t.ambient;
-          settings = t.settings;
-          lights = List.rev t.lights;
-          materials = List.rev t.materials;
-          definitions = List.rev t.definitions;
-          surfaces = List.rev t.surfaces;
-        }
-  | Some _ | None -> None
+  let scene = scene t in
+  if not (Notes.incomplete notes) then (
+    check_names notes t;
+    check_cycles t;
+    check_camera notes span t;
+    Sense.check notes scene);
+  if Notes.is_clean notes then Some scene else None

@@ -14,6 +14,6 @@ val form :
     adds the forms of a file that [(include FILE)] names. *)
 
 val finish : Notes.t -> Span.t -> t -> Scene.t option
-(** [finish notes span t] is the scene, all its names known and no definition in
-    a cycle, and [None] if anything is noted. [span] is what to blame for a
-    missing camera. *)
+(** [finish notes span t] is the scene, all its names known, no definition in a
+    cycle, and all of it making {!Sense}; [None] if anything is noted. [span] is
+    what to blame for a missing camera. *)

@@ -54,7 +54,7 @@ let cut_off (s : Scene.t) tally =
   and by_weight = Tally.get tally Cut_by_weight in
   let ended =
     [
-      (by_depth, Printf.sprintf "ended at depth %d" s.settings.depth);
+      (by_depth, Printf.sprintf "ended at depth %d" (Scene.depth s));
       (by_weight, Printf.sprintf "fell below weight %g" s.settings.cutoff);
     ]
     |> List.filter (fun (n, _) -> n > 0)
@@ -93,22 +93,29 @@ let output_line (format : Picture_file.format) picture =
 
 let size (w : Render.window) = Printf.sprintf "%dx%d" (w.x1 - w.x0) (w.y1 - w.y0)
 
-let text ~name ~format (scene : Scene.t) (r : Render.report) =
+let samples (scene : Scene.t) (r : Render.report) =
+  let spp = scene.settings.spp in
+  if Tally.get r.tally Spared_samples > 0 then Printf.sprintf "1..%d" spp
+  else string_of_int spp
+
+let text ~name ~format ?(warnings = []) (scene : Scene.t) (r : Render.report) =
   let headline =
-    Printf.sprintf "%s  %s  %d spp  %.2f s  %s rays  %.1f words/ray" name
-      (size r.window) scene.settings.spp r.seconds
+    Printf.sprintf "%s  %s  %s spp  %.2f s  %s rays  %.1f words/ray" name
+      (size r.window) (samples scene r) r.seconds
       (amount (total_rays r))
       (words_per_ray r)
   in
   let line (what, says) = Printf.sprintf "  %-10s %s" what says in
+  let warnings = List.map (fun warning -> ("warning", warning)) warnings in
   headline
   :: List.map line
-       [
-         ("sampling", sampling scene);
-         ("cut-off", cut_off scene r.tally);
-         ("numerics", numerics r);
-         ("output", output_line format r.picture);
-       ]
+       ([
+          ("sampling", sampling scene);
+          ("cut-off", cut_off scene r.tally);
+          ("numerics", numerics r);
+          ("output", output_line format r.picture);
+        ]
+       @ warnings)
   |> String.concat "\n"
 
 (* {1 For programs} *)
@@ -129,6 +136,7 @@ let json_image (scene : Scene.t) (r : Render.report) =
       ("height", Int (w.y1 - w.y0));
       ("crop", List [ Int w.x0; Int w.y0; Int w.x1; Int w.y1 ]);
       ("spp", Int scene.settings.spp);
+      ("spared_samples", Int (Tally.get r.tally Spared_samples));
       ("seed", Int scene.settings.seed);
     ]
 

@@ -56,24 +56,30 @@ let v ~seed ~x ~y ~sample ~bounce purpose =
   below (derive k bounce) purpose
 
 let float k = float_of_int (k land ((1 lsl 53) - 1)) *. 0x1p-53
+let rec bits n b = if 1 lsl b >= n then b else bits n (b + 1)
 
-(* A bijection on the least power of two that holds the length, walked until it
+(* A bijection on the [2 half] or [2 half - 1] bits of [mask]; [m1] and [m2] are
+   odd. *)
+let[@inline] step ~mask ~half ~m1 ~m2 s x =
+  let x = (x + s) land mask in
+  let x = x * m1 land mask in
+  let x = x lxor (x lsr half) in
+  let x = x * m2 land mask in
+  let x = x lxor (x lsr half) in
+  (x + (s lsr 3)) land mask
+
+let rec walk ~mask ~half ~m1 ~m2 s ~length x =
+  if x < length then x
+  else walk ~mask ~half ~m1 ~m2 s ~length (step ~mask ~half ~m1 ~m2 s x)
+
+(* The bijection on the least power of two that holds the length, walked until it
    falls inside, and then turned: however well the bijection mixes, each index
    goes everywhere equally often. *)
 let permute k ~length i =
-  let rec bits n b = if 1 lsl b >= n then b else bits n (b + 1) in
   let b = bits length 0 in
   let mask = (1 lsl b) - 1 and half = (b + 1) / 2 in
-  let odd n = derive k n lor 1 land mask in
+  let[@inline] odd n = derive k n lor 1 land mask in
   let m1 = odd 0 and m2 = odd 1 and s = derive k 2 land mask in
-  let step x =
-    let x = (x + s) land mask in
-    let x = x * m1 land mask in
-    let x = x lxor (x lsr half) in
-    let x = x * m2 land mask in
-    let x = x lxor (x lsr half) in
-    (x + (s lsr 3)) land mask
-  in
-  let rec walk x = if x < length then x else walk (step x) in
   let turn = derive k 3 land max_int mod length in
-  (walk (step i) + turn) mod length
+  let x = step ~mask ~half ~m1 ~m2 s i in
+  (walk ~mask ~half ~m1 ~m2 s ~length x + turn) mod length

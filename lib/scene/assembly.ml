@@ -2,7 +2,7 @@ open Candor_space
 open Candor_surface
 module Names = Map.Make (String)
 
-type skin = { material : Material.t; place : Place.t }
+type skin = { material : Material.t; both_sides : bool; place : Place.t }
 
 let table entries =
   let add t (e : _ Scene.named) = Names.add e.name e t in
@@ -28,20 +28,25 @@ let transform steps =
   | [] -> None
   | _ :: _ -> Result.to_option (Transform.of_steps steps)
 
-let surface ?math (scene : Scene.t) =
+let surface ?math ~dress (scene : Scene.t) =
   let materials = table scene.materials
   and definitions = table scene.definitions in
-  (* Local mutation: what has been shared so far, by name and material given. *)
+  (* Local mutation: what has been shared so far, by name and what is inherited. *)
   let shared = Hashtbl.create 16 in
-  let rec one inherited (s : Scene.surface) =
-    let inherited = own_or inherited s in
-    let skin =
-      {
-        material =
-          Option.fold ~none:Material.default ~some:(resolve materials) inherited;
-        place = s.place;
-      }
+  let moving (s : Scene.surface) surface =
+    if Scene.is_still s then surface
+    else
+      let { Camera.opens; closes } = scene.camera.shutter in
+      Surface.moving ~velocity:s.motion ~shutter:(opens, closes) surface
+  in
+  let rec one inherited both (s : Scene.surface) =
+    let inherited = own_or inherited s and both = both || s.both_sides in
+    let material =
+      Option.fold ~none:Material.default ~some:(resolve materials) inherited
     in
+    let skin = dress { material; both_sides = both; place = s.place } in
+    moving s
+    @@
     match s.shape with
     | Sphere x -> Surface.sphere x skin
     | Box x -> Surface.box x skin
@@ -52,21 +57,23 @@ let surface ?math (scene : Scene.t) =
         Surface.group ?math (Array.of_list (List.map part triangles))
     | Group { transform = steps; surfaces } ->
         Surface.seen_through ?transform:(transform steps)
-          (all inherited surfaces)
+          (all inherited both surfaces)
     | Use { transform = steps; name } ->
         Surface.seen_through ?transform:(transform steps)
-          (definition inherited name)
-  and all inherited surfaces =
-    Surface.group ?math (Array.map (one inherited) (Array.of_list surfaces))
-  and definition inherited name =
-    match Hashtbl.find_opt shared (name, inherited) with
+          (definition inherited both name)
+  and all inherited both surfaces =
+    Surface.group ?math
+      (Array.map (one inherited both) (Array.of_list surfaces))
+  and definition inherited both name =
+    let key = (name, inherited, both) in
+    match Hashtbl.find_opt shared key with
     | Some group -> group
     | None ->
-        let group = all inherited (defined definitions name) in
-        Hashtbl.add shared (name, inherited) group;
+        let group = all inherited both (defined definitions name) in
+        Hashtbl.add shared key group;
         group
   in
-  all None scene.surfaces
+  all None false scene.surfaces
 
 type use = { name : string option; material : Material.t; place : Place.t }
 
@@ -101,3 +108,20 @@ let materials_in_use (scene : Scene.t) =
   in
   List.iter (one None) scene.surfaces;
   List.rev !uses
+
+let surfaces_in_use (scene : Scene.t) =
+  let definitions = table scene.definitions in
+  (* Local mutation: the definitions entered so far, and what was met. *)
+  let entered = Hashtbl.create 16 and met = ref [] in
+  let rec one (s : Scene.surface) =
+    met := s :: !met;
+    match s.shape with
+    | Group { surfaces; _ } -> List.iter one surfaces
+    | Use { name; _ } ->
+        if not (Hashtbl.mem entered name) then (
+          Hashtbl.add entered name ();
+          List.iter one (defined definitions name))
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ -> ()
+  in
+  List.iter one scene.surfaces;
+  List.rev !met

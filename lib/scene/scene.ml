@@ -2,14 +2,17 @@ open Candor_space
 open Candor_colour
 open Candor_surface
 
-type background = Uniform of Rgb.t | Gradient of { down : Rgb.t; up : Rgb.t }
+type background =
+  | Uniform of Rgb.t
+  | Gradient of { down : Rgb.t; up : Rgb.t }
+  | Image of { file : string; texels : Texels.t }
 [@@deriving show, eq, ord]
 
 type filter = Box | Tent [@@deriving show, eq, ord]
 
 type settings = {
   spp : int;
-  depth : int;
+  depth : int option;
   cutoff : float;
   seed : int;
   filter : filter;
@@ -19,7 +22,13 @@ type settings = {
 type material = Named of string | Inline of Material.t
 [@@deriving show, eq, ord]
 
-type surface = { shape : shape; material : material option; place : Place.t }
+type surface = {
+  shape : shape;
+  material : material option;
+  motion : Vec.t;
+  both_sides : bool;
+  place : Place.t;
+}
 
 and shape =
   | Sphere of Sphere.t
@@ -36,12 +45,22 @@ type 'a named = { name : string; value : 'a; place : Place.t }
 
 type 'a placed = { value : 'a; place : Place.t } [@@deriving show, eq]
 
+type fog = {
+  extinction : Rgb.t;
+  albedo : Rgb.t;
+  anisotropy : float;
+  within : Bounds.t option;
+}
+[@@deriving show, eq]
+
 type t = {
   width : int;
   height : int;
   camera : Camera.t;
   background : background;
   ambient : Rgb.t placed option;
+  indirect : Place.t option;
+  fog : fog placed option;
   settings : settings;
   lights : Light.t list;
   materials : Material.t named list;
@@ -51,7 +70,16 @@ type t = {
 [@@deriving show, eq]
 
 let default_settings =
-  { spp = 16; depth = 8; cutoff = 0.; seed = 0; filter = Box }
+  { spp = 16; depth = None; cutoff = 0.; seed = 0; filter = Box }
+
+let plain shape place =
+  { shape; material = None; motion = Vec.zero; both_sides = false; place }
+
+let depth s =
+  let unlimited = if Option.is_some s.indirect then max_int else 8 in
+  Option.value s.settings.depth ~default:unlimited
+
+let is_still s = Vec.equal s.motion Vec.zero
 
 let rec forget_surface (s : surface) =
   let shape =
@@ -69,10 +97,13 @@ let forget_named value (n : _ named) =
 
 let forget_places s =
   let light (l : Light.t) = { l with place = Place.unknown } in
-  let placed (p : _ placed) = { p with place = Place.unknown } in
+  let placed p = { p with place = Place.unknown } in
   {
     s with
+    camera = { s.camera with place = Place.unknown };
     ambient = Option.map placed s.ambient;
+    indirect = Option.map (fun _ -> Place.unknown) s.indirect;
+    fog = Option.map placed s.fog;
     lights = List.map light s.lights;
     materials = List.map (forget_named Fun.id) s.materials;
     definitions =

@@ -8,6 +8,8 @@ type background =
   | Uniform of Rgb.t
   | Gradient of { down : Rgb.t; up : Rgb.t }
       (** linear in the direction's y, from straight down to straight up *)
+  | Image of { file : string; texels : Texels.t }
+      (** equirectangular radiance; [file] is the name as written *)
 [@@deriving show, eq, ord]
 
 type filter =
@@ -17,7 +19,9 @@ type filter =
 
 type settings = {
   spp : int;  (** samples per pixel, at least 1 *)
-  depth : int;  (** most reflections along one path; 0: the first hit only *)
+  depth : int option;
+      (** most reflections, refractions and bounces along one path; 0: the first
+          hit only; see {!depth} *)
   cutoff : float;
       (** paths whose largest throughput component is below this end *)
   seed : int;
@@ -30,8 +34,16 @@ type material =
   | Inline of Material.t
 [@@deriving show, eq, ord]
 
-type surface = { shape : shape; material : material option; place : Place.t }
-(** A surface of [material], or else of the nearest enclosing group's. *)
+type surface = {
+  shape : shape;
+  material : material option;  (** else the nearest enclosing group's *)
+  motion : Vec.t;
+      (** at time t the surface stands moved by t·motion, in its parent's axes
+      *)
+  both_sides : bool;
+      (** whether it, or what is in it, also emits from inner sides *)
+  place : Place.t;
+}
 
 and shape =
   | Sphere of Sphere.t
@@ -49,12 +61,24 @@ type 'a named = { name : string; value : 'a; place : Place.t }
 
 type 'a placed = { value : 'a; place : Place.t } [@@deriving show, eq]
 
+type fog = {
+  extinction : Rgb.t;  (** per unit length *)
+  albedo : Rgb.t;  (** the part of it that is scattered *)
+  anisotropy : float;  (** Henyey and Greenstein's, in \]-1;1\[ *)
+  within : Bounds.t option;  (** where it is; else everywhere *)
+}
+[@@deriving show, eq]
+(** A homogeneous medium in what would be empty space. *)
+
 type t = {
   width : int;
   height : int;  (** pixels, at least 1 each way *)
   camera : Camera.t;
   background : background;
   ambient : Rgb.t placed option;  (** L_a *)
+  indirect : Place.t option;
+      (** where light that bounces is asked for, if it is *)
+  fog : fog placed option;
   settings : settings;
   lights : Light.t list;
   materials : Material.t named list;
@@ -66,8 +90,19 @@ type t = {
     can be undone: whoever makes a scene sees to that. *)
 
 val default_settings : settings
-(** [default_settings] is 16 samples per pixel, depth 8, cutoff 0, seed 0, box
-    filter. *)
+(** [default_settings] is 16 samples per pixel, no depth of its own, cutoff 0,
+    seed 0, box filter. *)
+
+val plain : shape -> Place.t -> surface
+(** [plain shape place] is at rest, has no material of its own and emits from
+    its outer side only. *)
+
+val depth : t -> int
+(** [depth s] is the greatest depth of paths: as the settings say, else 8, or
+    without limit ([max_int]) under indirect light. *)
+
+val is_still : surface -> bool
+(** [is_still s] is [true] iff [s] itself does not move. *)
 
 val forget_places : t -> t
 (** [forget_places s] is [s] with {!Place.unknown} everywhere: two scenes are

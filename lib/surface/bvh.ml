@@ -186,11 +186,9 @@ let visit h ray cursor context test =
 let cover h ~depth =
   let rec parts depth n rest =
     let link = h.tree.links.(n) in
-    if depth <= 0 || Tree.is_leaf link then
-      Box_array.get h.tree.boxes n :: rest
+    if depth <= 0 || Tree.is_leaf link then Box_array.get h.tree.boxes n :: rest
     else
-      parts (depth - 1) (n + 1)
-        (parts (depth - 1) (Tree.high_child link) rest)
+      parts (depth - 1) (n + 1) (parts (depth - 1) (Tree.high_child link) rest)
   in
   if h.unbounded > 0 then [ h.whole ]
   else if Array.length h.tree.links = 0 then []

@@ -4,6 +4,7 @@ open Candor_space
 open Candor_colour
 open Candor_scene
 open Candor_surface
+open Candor_optics
 open Candor_effect
 
 type t
@@ -14,7 +15,7 @@ val compile : ?plan:Plan.t -> ?math:Candor_surface.Math.t -> Scene.t -> t
 (** [compile s] assembles [s] under [plan] (default: [Plan.of_scene s]), its
     surfaces met by [math] (default [Stable]). *)
 
-val surface : t -> Assembly.skin Surface.t
+val surface : t -> Skin.t Surface.t
 (** [surface p] is all of the scene's surfaces. *)
 
 val plan : t -> Plan.t

@@ -2,11 +2,10 @@
 
 open Candor_space
 open Candor_colour
-open Candor_scene
-open Candor_surface
 open Candor_effect
 
-val compile :
-  Plan.t -> Scene.t -> Assembly.skin Surface.t -> Tally.t -> Ray.t -> Rgb.t
-(** [compile plan scene surface] assembles the terms once; the result is the
-    radiance that a camera ray brings, in W/(m² sr). *)
+type t = Tally.t -> Path.t -> Ray.t -> Rgb.t
+(** The radiance that a camera ray brings along a path, in W/(m² sr). *)
+
+val compile : Plan.equation -> t
+(** [compile equation] assembles its terms once. *)

@@ -14,11 +14,13 @@ let all profile scenes =
   table "The sphereflake beside POV-Ray" (fun () -> Pov.table scenes);
   table "Whole renders, beside the textbook's math" (fun () ->
       Naive.table scenes);
+  table "What the absence of effects is worth" (fun () -> Absent.table scenes);
   table "Size" Memory.table
 
 let () =
   match Array.to_list Sys.argv with
   | [ _; "memory"; n ] -> Memory.child (int_of_string n)
   | [ _; "naive"; scenes ] -> Naive.table scenes
+  | [ _; "absent"; scenes ] -> Absent.table scenes
   | [ _; profile; scenes ] -> all profile scenes
-  | _ -> prerr_endline "usage: bench PROFILE|naive SCENES"
+  | _ -> prerr_endline "usage: bench PROFILE|naive|absent SCENES"

@@ -37,7 +37,7 @@ let torus ~n ~m =
   |> List.map (fun corners -> valid (Triangle.make corners))
 
 let mesh (scene : Scene.t) =
-  let surface shape = { Scene.shape; material = None; place = Place.unknown } in
+  let surface shape = Scene.plain shape Place.unknown in
   let triangle t = surface (Scene.Triangle t) in
   let triangles = List.map triangle (torus ~n:250 ~m:200) in
   let floor =
@@ -56,13 +56,7 @@ let mesh (scene : Scene.t) =
 
 let seconds math (scene : Scene.t) =
   let pixel = Pixel.compile ~math scene in
-  let start = Sys.time () in
-  ignore (Render.run ~domains:1 pixel scene : Render.report option);
-  Sys.time () -. start
-
-let median xs =
-  let sorted = List.sort Float.compare xs in
-  List.nth sorted (List.length sorted / 2)
+  fst (Turns.processor (fun () -> Render.run ~domains:1 pixel scene))
 
 let row name scene =
   let scene =
@@ -73,10 +67,10 @@ let row name scene =
     (stable, seconds Textbook scene)
   in
   let all = List.init turns turn in
-  let ratio = median (List.map (fun (s, t) -> s /. t) all) in
+  let ratio = Turns.median (List.map (fun (s, t) -> s /. t) all) in
   Printf.printf "%-26s %10.2f %10.2f %8.2f %8s\n%!" name
-    (median (List.map fst all))
-    (median (List.map snd all))
+    (Turns.median (List.map fst all))
+    (Turns.median (List.map snd all))
     ratio
     (if ratio <= 1.25 then "met" else "missed")
 

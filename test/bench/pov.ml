@@ -22,14 +22,19 @@ let rgb (c : Rgb.t) = "rgb " ^ triple c.r c.g c.b
 
 let rec plain : Texture.t -> Rgb.t = function
   | Constant c -> c
-  | Checker { even; odd = _; scale = _ } -> plain even
+  | Checker { even = first; _ } | Noise { first; _ } -> plain first
+  | Image _ -> Rgb.grey 0.5
 
 let texture (m : Material.t) =
   let color, mirror =
-    match m with
-    | Matte { color } | Phong { color; _ } -> (plain color, Rgb.black)
-    | Mirror { color } -> (Rgb.black, plain color)
+    match m.kind with
+    | Matte { color } | Phong { color; _ } | Plastic { color; _ } ->
+        (plain color, Rgb.black)
+    | Mirror { color } | Glass { color; _ } | Metal { reflectance = color; _ }
+      ->
+        (Rgb.black, plain color)
     | Glazed { color; mirror } -> (plain color, mirror)
+    | Translucent _ | Emitter -> (Rgb.black, Rgb.black)
   in
   Printf.sprintf
     "texture { pigment { %s } finish { ambient 0 diffuse 1 reflection { %s } } \
@@ -77,7 +82,8 @@ let camera b (c : Camera.t) =
         "camera { perspective location %s sky %s right -x up y angle %.17g \
          look_at %s }\n"
         (point c.eye) (vec c.up) fov_y (point c.look_at)
-  | Perspective_window _ | Orthographic_height _ | Orthographic_window _ ->
+  | Perspective_window _ | Orthographic_height _ | Orthographic_window _
+  | Panorama ->
       prerr_endline "bench: a camera that was not translated for POV-Ray"
 
 let text (scene : Scene.t) =
@@ -85,7 +91,7 @@ let text (scene : Scene.t) =
   Printf.bprintf b
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level %d \
      adc_bailout 0 }\n"
-    (scene.settings.depth + 1);
+    (Scene.depth scene + 1);
   camera b scene.camera;
   List.iter (light b) scene.lights;
   List.iter (surface b scene Material.default) scene.surfaces;
@@ -137,7 +143,7 @@ let turn file scene i =
 
 let table folder =
   let scene = Load.named folder "sphereflake-flat" in
-  let settings = { scene.settings with spp = 1; depth = 6 } in
+  let settings = { scene.settings with spp = 1; depth = Some 6 } in
   let scene = { scene with width = 1024; height = 1024; settings } in
   if not (installed ()) then print_endline "POV-Ray is not installed: skipped."
   else

@@ -3,7 +3,6 @@
 open Candor_space
 open Candor_colour
 open Candor_surface
-open Candor_scene
 open Candor_effect
 open Candor_scene_made
 
@@ -25,17 +24,16 @@ let ray (ox, oy, oz) (dx, dy, dz) = Ray.v (Point.v ox oy oz) (Vec.v dx dy dz)
 
 (** [hit s o d] is what the ray from [o] along [d] meets. *)
 let hit scene o d =
-  match Surface.nearest (Assembly.surface scene) (ray o d) with
+  match Surface.nearest (Candor_optics.Skin.surface scene) (ray o d) with
   | Some hit -> hit
   | None -> Alcotest.fail "the ray meets nothing"
 
-let vertex ?(path = Path.start) (hit : Assembly.skin Hit.t) view : Term.vertex =
-  {
-    hit;
-    view;
-    lobes = Candor_optics.Lobes.of_material hit.material.material hit.local;
-    path;
-  }
+let vertex ?(path = Path.start) (hit : Tracer.hit) view : Term.vertex =
+  let lobes = hit.material.lobes hit.local ~normal:hit.shading_normal ~view in
+  { hit; view; lobes; path }
+
+(** [tracer s] sees the surfaces of [s]. *)
+let tracer scene = Tracer.still (Candor_optics.Skin.surface scene)
 
 (** What a term must not ask for. *)
 let no_recursion : Term.radiance =

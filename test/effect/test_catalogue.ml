@@ -7,7 +7,27 @@ let distinct names =
 let names () =
   Alcotest.(check (list string))
     "names, in the order of the sum"
-    [ "ambient"; "direct light"; "shadows"; "mirror" ]
+    [
+      "emission";
+      "ambient";
+      "direct light";
+      "shadows";
+      "soft shadows";
+      "sky light";
+      "mirror";
+      "refraction";
+      "dispersion";
+      "absorption";
+      "subsurface";
+      "gloss";
+      "indirect light";
+      "fog";
+      "depth of field";
+      "motion blur";
+      "textures";
+      "smooth normals";
+      "anti-aliasing";
+    ]
     (List.map Effect.name Effect.all);
   Alcotest.(check bool)
     "meanings differ" true
@@ -22,7 +42,8 @@ let names () =
 let rays () =
   let counters = List.filter_map Effect.rays Effect.all in
   Alcotest.(check (list string))
-    "of shadows and mirror" [ "shadow"; "mirror" ]
+    "of these"
+    [ "shadow"; "emitter"; "sky"; "mirror"; "refraction"; "bounce" ]
     (List.map Tally.name counters)
 
 let suite =

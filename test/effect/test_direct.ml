@@ -9,7 +9,7 @@ open QCheck2
 let unit v = (Dir.of_vec_or Dir.x v :> Vec.t)
 
 let lobes ?highlight diffuse : Lobes.t =
-  { diffuse; highlight; mirror = Rgb.black }
+  { diffuse; highlight; mirror = Rgb.black; gloss = None }
 
 type case = {
   normal : Dir.t;
@@ -48,7 +48,7 @@ let show c =
     (Rgb.show c.specular) c.shininess (Rgb.show c.irradiance)
 
 let outgoing ?highlight c =
-  Direct.outgoing
+  Direct.matte.outgoing
     (lobes ?highlight c.diffuse)
     ~normal:c.normal ~view:c.view
     { toward = c.toward; irradiance = c.irradiance }
@@ -92,7 +92,7 @@ let stretch c =
 
 let by_hand () =
   let lit ?highlight toward view =
-    Direct.outgoing
+    Direct.matte.outgoing
       (lobes ?highlight (Rgb.grey 0.5))
       ~normal:Dir.z ~view
       { toward; irradiance = Rgb.grey Float.pi }
@@ -122,7 +122,10 @@ let by_hand () =
 let light_at z = Printf.sprintf "(light (point (at 0 0 %g) (intensity 9)))" z
 
 let term_of s =
-  Direct.term (List.map (fun l -> (l, Direct.always)) s.Scene.lights)
+  Direct.term Direct.matte
+    (List.map
+       (fun light -> { Direct.light; reach = Direct.always })
+       s.Scene.lights)
 
 let shade s o d =
   let tally = Tally.make () in
@@ -186,11 +189,15 @@ let no_shadow_rays () =
   Alcotest.(check int) "rays" 0 (Tally.get tally Shadow_rays)
 
 let never : Direct.reach =
- fun _ _ -> Alcotest.fail "a light was asked for in vain"
+  let asked _ _ _ = Alcotest.fail "a light was asked for in vain" in
+  { surface = asked; space = asked }
 
 let no_questions () =
   let ask s z =
-    let term = Direct.term (List.map (fun l -> (l, never)) s.Scene.lights) in
+    let lamps =
+      List.map (fun light -> { Direct.light; reach = never }) s.Scene.lights
+    in
+    let term = Direct.term Direct.matte lamps in
     term Lit.no_recursion (Tally.make ())
       (Lit.vertex (Lit.hit s (0.25, 0.125, z) (0., 0., -.z)) (Vec.v 0. 0. z))
   in

@@ -12,4 +12,24 @@ let () =
       Test_direct.suite;
       Test_shadows.suite;
       Test_mirror.suite;
+      Test_refraction.suite;
+      Test_dispersion.suite;
+      Test_absorption.suite;
+      Test_soft_shadows.suite;
+      Test_emission.suite;
+      Test_glossy.suite;
+      Test_indirect.suite;
+      Test_limit.suite;
+      Test_fog.suite;
+      Test_subsurface.suite;
+      Test_segment.suite;
+      Test_sky_light.suite;
+      Test_depth_of_field.suite;
+      Test_motion_blur.suite;
+      Test_immersion.suite;
+      Test_single_mirror.suite;
+      Test_textures.suite;
+      Test_smooth_normals.suite;
+      Test_receiver.suite;
+      Test_tracer.suite;
     ]

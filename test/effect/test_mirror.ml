@@ -27,7 +27,10 @@ let run ?(depth = 8) ?(cutoff = 0.) ?path ?(color = half) d =
   let hit = Lit.hit s (1., 2., 3.) d in
   let view = Vec.neg (Lit.ray (1., 2., 3.) d).direction in
   let value =
-    Mirror.term ~depth ~cutoff radiance tally (Lit.vertex ?path hit view)
+    Mirror.term
+      (Limit.Fixed { depth; cutoff })
+      radiance tally
+      (Lit.vertex ?path hit view)
   in
   (value, !followed, tally)
 
@@ -100,7 +103,9 @@ let cuts_are_shown () =
     let vertex =
       Lit.vertex (Lit.hit s (1., 2., 3.) slanting) (Vec.v (-1.) (-0.5) 1.5)
     in
-    ignore (Mirror.term ~depth ~cutoff Lit.no_recursion tally vertex : Rgb.t);
+    ignore
+      (Mirror.term (Limit.Fixed { depth; cutoff }) Lit.no_recursion tally vertex
+        : Rgb.t);
     !seen
   in
   (match cut ~depth:0 ~cutoff:0. with
@@ -129,15 +134,16 @@ let law_of_reflection =
         Rgb.black
       in
       ignore
-        (Mirror.term ~depth:1 ~cutoff:0. radiance (Tally.make ())
+        (Mirror.term
+           (Limit.Fixed { depth = 1; cutoff = 0. })
+           radiance (Tally.make ())
            (Lit.vertex hit (Vec.neg d))
           : Rgb.t);
       let n = (hit.normal :> Vec.t) and r = !got in
       Lit.close ~within:1e-14 (Vec.dot n r) (-.Vec.dot n d)
       && Vec.largest (Vec.sub (Vec.cross n r) (Vec.cross n d)) < 1e-14
       && Vec.dot n r > 0.
-      && Surface.nearest (Candor_scene.Assembly.surface s) (Hit.spawn hit r)
-         = None)
+      && Surface.nearest (Candor_optics.Skin.surface s) (Hit.spawn hit r) = None)
 
 (* Where a bent normal would send the reflection into the surface, the true one
    is used. *)
@@ -161,7 +167,10 @@ let bent () =
     let view = Vec.neg (Lit.ray (0., 0., 0.) d).direction in
     let vertex = Lit.vertex hit view in
     ignore
-      (Mirror.term ~depth:1 ~cutoff:0. radiance (Tally.make ()) vertex : Rgb.t);
+      (Mirror.term
+         (Limit.Fixed { depth = 1; cutoff = 0. })
+         radiance (Tally.make ()) vertex
+        : Rgb.t);
     !got
   in
   Alcotest.(check bool)

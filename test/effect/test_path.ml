@@ -34,7 +34,9 @@ let rec behind mirrors path =
         Rgb.white
       in
       ignore
-        (Mirror.term ~depth:99 ~cutoff:0. radiance (Tally.make ()) vertex
+        (Mirror.term
+           (Limit.Fixed { depth = 99; cutoff = 0. })
+           radiance (Tally.make ()) vertex
           : Rgb.t);
       let further =
         match !next with Some path -> behind rest path | None -> []

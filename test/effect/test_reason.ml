@@ -35,7 +35,12 @@ let materials () =
     [ "glazed surface made.scene:6:1" ]
     (written
        (Reason.materials
-          (function Glazed _ -> true | Matte _ | Phong _ | Mirror _ -> false)
+          (fun m ->
+            match m.Material.kind with
+            | Glazed _ -> true
+            | Matte _ | Phong _ | Mirror _ | Glass _ | Metal _ | Plastic _
+            | Translucent _ | Emitter ->
+                false)
           s))
 
 let suite =

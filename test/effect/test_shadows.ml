@@ -1,4 +1,3 @@
-open Candor_scene
 open Candor_effect
 open Candor_oracle
 
@@ -7,9 +6,11 @@ let light = "(light (point (at 0 0 4) (intensity 1)))"
 
 let reaches forms (x, y) =
   let s = Lit.scene (floor :: forms) in
-  let reach = Shadows.reach (Assembly.surface s) (List.hd s.lights) in
+  let reach = Shadows.reach (Lit.tracer s) (List.hd s.lights) in
   let tally = Tally.make () in
-  let answer = reach tally (Lit.hit s (x, y, 0.5) (0., 0., -1.)) in
+  let answer =
+    reach.surface tally Path.start (Lit.hit s (x, y, 0.5) (0., 0., -1.))
+  in
   Alcotest.(check int) "one shadow ray" 1 (Tally.get tally Shadow_rays);
   answer
 
@@ -59,8 +60,10 @@ let on_a_surface =
     let reaches =
       let light = Printf.sprintf "(light (point (at %s) (intensity 1)))" at in
       let s = Lit.scene [ floor; light; surface ] in
-      let reach = Shadows.reach (Assembly.surface s) (List.hd s.lights) in
-      fun (x, y) -> reach (Tally.make ()) (Lit.hit s (x, y, 0.5) (0., 0., -1.))
+      let reach = Shadows.reach (Lit.tracer s) (List.hd s.lights) in
+      fun (x, y) ->
+        reach.surface (Tally.make ()) Path.start
+          (Lit.hit s (x, y, 0.5) (0., 0., -1.))
     in
     Law.law ~count:500
       ~print:(fun (x, y) -> Printf.sprintf "%h %h" x y)
@@ -107,7 +110,7 @@ let own_surface =
               surface; "(light (directional (direction 0 0 -1) (irradiance 1)))";
             ]
         in
-        (s, Shadows.reach (Assembly.surface s) (List.hd s.lights)))
+        (s, Shadows.reach (Lit.tracer s) (List.hd s.lights)))
       [
         "(sphere (center 0 0 0) (radius 1))";
         "(sphere (center 0 0 -1e6) (radius 1e6))";
@@ -122,8 +125,9 @@ let own_surface =
   Law.law ~print "no convex surface is in the way of its own light" inside
     (fun (x, y) ->
       List.for_all
-        (fun (s, reach) ->
-          reach (Tally.make ()) (Lit.hit s (x, y, 1e3) (0., 0., -1.)))
+        (fun (s, (reach : Direct.reach)) ->
+          reach.surface (Tally.make ()) Path.start
+            (Lit.hit s (x, y, 1e3) (0., 0., -1.)))
         scenes)
 
 let suite =

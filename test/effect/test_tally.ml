@@ -48,7 +48,16 @@ let names () =
     (List.length (List.sort_uniq String.compare names));
   Alcotest.(check (list string))
     "rays"
-    [ "camera"; "shadow"; "mirror" ]
+    [
+      "camera";
+      "shadow";
+      "mirror";
+      "refraction";
+      "bounce";
+      "emitter";
+      "sky";
+      "scattered";
+    ]
     (List.map Tally.name Tally.rays)
 
 let watching () =

@@ -9,7 +9,7 @@ open Candor_scene_made
 open QCheck2
 
 (* A camera ray of a drawn scene and what it meets, if it does. *)
-type case = { scene : Scene.t; ray : Ray.t; hit : Assembly.skin Hit.t option }
+type case = { scene : Scene.t; ray : Ray.t; hit : Tracer.hit option }
 
 let case =
   let open Gen in
@@ -23,7 +23,7 @@ let case =
 let print { scene; ray; _ } = Draw.show_ray ray ^ "\n" ^ Drawn.show scene
 
 (* Every term there is, of effects that are on and off. *)
-let terms s = Plan.compile (Plan.all s) s (Assembly.surface s)
+let terms s = (Plan.compile (Plan.all s) s (Candor_optics.Skin.surface s)).terms
 
 let law name holds =
   Law.law ~count:1000 ~print name case (fun c ->
@@ -94,7 +94,7 @@ let own () =
   in
   let s = Lit.scene [ "(sphere (center 0 0 0) (radius 1))" ] in
   let hit = Lit.hit s (0., 0., 5.) (0., 0., -1.) in
-  let path = { Path.throughput = Rgb.grey 0.5; depth = 3 } in
+  let path = { Path.start with throughput = Rgb.grey 0.5; depth = 3 } in
   let recursion, asked = answering seen in
   let tally = Tally.make () in
   Alcotest.check Lit.rgb "twice" (Rgb.scale 2. seen)

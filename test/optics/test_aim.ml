@@ -6,7 +6,16 @@ open Candor_scene_made
 open QCheck2
 
 let camera ?near ?(up = Vec.v 0. 1. 0.) ~eye ~look_at frame =
-  { Camera.eye; look_at; up; frame; near }
+  {
+    Camera.eye;
+    look_at;
+    up;
+    frame;
+    near;
+    lens = None;
+    shutter = Camera.instant;
+    place = Place.unknown;
+  }
 
 let p = Point.v
 let at_origin = camera ~eye:(p 0. 0. 5.) ~look_at:Point.origin
@@ -159,6 +168,59 @@ let along_sight ((eye, look_at, up, (x, y)) as view) =
 
 let law name f = Law.law ~print:show_view name view f
 
+(* {1 Panoramas and lenses} *)
+
+let panorama () =
+  let c = at_origin Camera.Panorama in
+  let eye = (0., 0., 5.) in
+  let check name at d = check name c ~width:8 ~height:4 at eye d in
+  check "the middle looks at look-at" (4., 2.) (0., 0., -1.);
+  check "a quarter to the right" (6., 2.) (1., 0., 0.);
+  check "a quarter to the left" (2., 2.) (-1., 0., 0.);
+  check "the edge looks back" (0., 2.) (0., 0., 1.);
+  check "the top looks up" (1., 0.) (0., 1., 0.);
+  check "the bottom looks down" (3., 4.) (0., -1., 0.);
+  let k = sqrt 0.5 in
+  check "half up" (4., 1.) (0., k, -.k)
+
+let lens ?(frame = Camera.Perspective_angle { fov_y = 60. }) radius focus =
+  let c = camera ~eye:(p 1. 2. 3.) ~look_at:(p 2. 0. (-7.)) frame in
+  ( (fun x y u v ->
+      Aim.compile_lens c { radius; focus } ~width:4 ~height:2 x y { u; v }),
+    fun x y -> Aim.compile c ~width:4 ~height:2 x y )
+
+let place =
+  Gen.(
+    quad (Draw.uniform 0. 4.) (Draw.uniform 0. 2.) (Draw.uniform 0. 1.)
+      (Draw.uniform 0. 1.))
+
+let show_place (x, y, u, v) = Printf.sprintf "%g %g by %g %g" x y u v
+
+let focused (x, y, u, v) =
+  let through, middle = lens 0.75 8. in
+  let a = through x y u v and b = middle x y in
+  let on (ray : Ray.t) = Point.along ray.origin ray.direction 8. in
+  let off = Point.sub (on a) (on b) in
+  let aside = Point.sub a.origin b.origin in
+  Vec.norm off < 1e-13
+  && Vec.norm aside <= 0.75 +. 1e-12
+  && Near.close (Vec.dot aside (middle 2. 1.).direction) 0.
+
+let closed (x, y, u, v) =
+  let through, middle = lens 0. 8. in
+  let a = through x y u v and b = middle x y in
+  Vec.equal a.direction b.direction && Point.equal a.origin b.origin
+
+let no_lens (x, y, u, v) =
+  List.for_all
+    (fun frame ->
+      let through, middle = lens ~frame 2. 8. in
+      let a = through x y u v and b = middle x y in
+      Vec.equal a.direction b.direction && Point.equal a.origin b.origin)
+    [ Camera.Panorama; Orthographic_height { height = 3. } ]
+
+let place_law name f = Law.law ~print:show_place name place f
+
 let suite =
   ( "cameras",
     [
@@ -179,6 +241,10 @@ let suite =
         far;
       law "scaling by 2^k keeps directions and scales origins, to the bit"
         scaled;
+      Law.example "a panorama looks all around" panorama;
+      place_law "all rays of a lens meet in the plane of focus" focused;
+      place_law "a closed lens is a pinhole, to the bit" closed;
+      place_law "cameras without perspective have no lens" no_lens;
       law
         "rays advance by 1 along the line of sight; up is up and right is right"
         along_sight;

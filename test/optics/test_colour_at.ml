@@ -112,7 +112,7 @@ let floor () =
         "(triangle (20 0 0) (30 0 0) (20 0 10))";
       ]
   in
-  let surface = Assembly.surface s in
+  let surface = Assembly.surface ~dress:Fun.id s in
   let color o d =
     match Surface.nearest surface (Ray.v o d) with
     | None -> Alcotest.fail "no hit"
@@ -134,6 +134,63 @@ let floor () =
     "the triangle" true
     (color (Point.v 21.3 0.7 0.3) (Vec.v 0. (-1.) 0.))
 
+(* {1 Pictures and noise} *)
+
+let texels =
+  Texels.init ~width:5 ~height:3 (fun x y ->
+      Rgb.v (float_of_int x) (float_of_int y) (float_of_int ((x * y) + 1)))
+
+let picture = Texture.Image { file = "texels"; texels }
+
+let met form o d =
+  let s =
+    Candor_scene_made.Written.scene
+      [ Candor_scene_made.Written.flat_camera; form ]
+  in
+  match Surface.nearest (Assembly.surface ~dress:Fun.id s) (Ray.v o d) with
+  | None -> Alcotest.failf "%s is not met" form
+  | Some h -> h.local
+
+let down = Vec.v 0. 0. (-1.)
+
+(* Where each kind of surface says that its picture goes. *)
+let pictures () =
+  let check form o d (u, v) =
+    Near.rgb ~within:1e-12 form
+      (Texels.bilinear_repeating texels ~u ~v)
+      (Colour_at.v picture (met form o d))
+  in
+  let turn y x = 0.5 +. (atan2 y x /. (2. *. Float.pi)) in
+  check "(sphere (center 1 2 3) (radius 5))" (Point.v 4. 2. 20.) down
+    (turn 3. 4., 0.5);
+  check "(sphere (center 1 2 3) (radius 5))" (Point.v 1. 5. 20.) down
+    (turn 0. 4., 0.5 +. (asin 0.6 /. Float.pi));
+  check "(box (min 0 0 0) (max 2 4 8))" (Point.v 0.5 3. 20.) down (0.25, 0.75);
+  check "(box (min 0 0 0) (max 2 4 8))" (Point.v 20. 1. 6.) (Vec.v (-1.) 0. 0.)
+    (0.25, 0.75);
+  check "(triangle (0 0 0) (10 0 0) (0 10 0))" (Point.v 2. 3. 9.) down (0.2, 0.3);
+  check "(triangle (0 0 0) (10 0 0) (0 10 0) (uv (1 1) (2 1) (1 3)))"
+    (Point.v 2. 3. 9.) down (1.2, 1.6);
+  check "(quadric (plane (normal 0 .1 1) (offset 0)))" (Point.v 1.3 0. 9.) down
+    (1.3, 0.)
+
+let mixes () =
+  let scale = 0.3 in
+  let noise =
+    Texture.Noise
+      { first = Constant Rgb.black; second = board (); scale; octaves = 3 }
+  in
+  let local =
+    met "(sphere (center 0 0 0) (radius 2))" (Point.v 0.3 0.7 9.) down
+  in
+  let { Point.x; y; z } = local.point in
+  let mix =
+    Noise.mix ~octaves:3 (Point.v (x /. scale) (y /. scale) (z /. scale))
+  in
+  Near.rgb "noise"
+    (Rgb.scale mix (Colour_at.v (board ()) local))
+    (Colour_at.v noise local)
+
 let suite =
   ( "colours at points",
     [
@@ -142,6 +199,8 @@ let suite =
       Law.example "checker scales" scales;
       Law.example "checkers within checkers" nested;
       formula;
+      Law.example "pictures lie on surfaces by uv" pictures;
+      Law.example "noise mixes two patterns" mixes;
       flats;
       Law.example "the floor, a flat box and a triangle show squares" floor;
     ] )

@@ -1,124 +1,55 @@
-(* Random scenes: every constructor, odd names, and numbers of every size. *)
+(* Random scenes: every constructor but pictures from files, odd names, and
+   numbers of every size. They make sense. *)
 
 open Candor_space
 open Candor_colour
 open Candor_surface
 open Candor_scene
-
-type 'a draw = Random.State.t -> 'a
-
-let one_of (l : 'a draw list) : 'a draw =
- fun r -> List.nth l (Random.State.int r (List.length l)) r
-
-let const x : 'a draw = fun _ -> x
-let int low high : int draw = fun r -> low + Random.State.int r (high - low + 1)
-let map f (d : 'a draw) : 'b draw = fun r -> f (d r)
-let bool : bool draw = Random.State.bool
-
-let option (d : 'a draw) : 'a option draw =
- fun r -> if bool r then Some (d r) else None
-
-let list ?(least = 0) n (d : 'a draw) : 'a list draw =
- fun r -> List.init (int least n r) (fun _ -> d r)
-
-(* {1 Numbers} *)
-
-let uniform low high : float draw =
- fun r -> low +. Random.State.float r (high -. low)
-
-let bits : float draw = map Int64.float_of_bits (fun r -> Random.State.bits64 r)
-
-let coordinate : float draw =
- fun r ->
-  let x =
-    one_of
-      [
-        map float_of_int (int (-9) 9);
-        map (fun n -> float_of_int n /. 10.) (int (-99) 99);
-        uniform (-10.) 10.;
-        bits;
-        const (-0.);
-        const 0x1p-1074;
-      ]
-      r
-  in
-  if Reach.length x then x else 1.
-
-let size : float draw =
- fun r ->
-  let x = Float.abs (coordinate r) in
-  if x >= 0x1p-400 && x <= 0x1p400 then x else 0.5
-
-let share = one_of [ const 0.; const 1.; const 0.1; uniform 0. 1. ]
-
-let light_number : float draw =
- fun r ->
-  let x = Float.abs (bits r) in
-  if Float.is_finite x then x else 3.
-
-let point r =
-  let x = coordinate r in
-  let y = coordinate r in
-  Point.v x y (coordinate r)
-
-let vec r = Point.sub (point r) Point.origin
-
-let direction r =
-  let v = vec r in
-  if Vec.equal v Vec.zero then Vec.v 0. 0. 1. else v
-
-let near_point r =
-  let x = uniform (-9.) 9. r in
-  let y = uniform (-9.) 9. r in
-  Point.v x y (uniform (-9.) 9. r)
-
-let rgb d r =
-  let a = d r in
-  if bool r then Rgb.grey a
-  else
-    let b = d r in
-    Rgb.v a b (d r)
-
-let name : string draw =
-  one_of
-    [
-      (fun r -> Printf.sprintf "name%d" (int 0 999 r));
-      (fun r -> String.init (int 0 5 r) (fun _ -> Char.chr (int 1 255 r)));
-      one_of
-        (List.map const
-           [
-             "";
-             "(";
-             "a b";
-             "\"q\"";
-             ";x";
-             "#|";
-             "|#";
-             "\\";
-             "5";
-             "scene";
-             "#;";
-             "a\nb";
-             "\xc3\xa4";
-           ]);
-    ]
+open Candor_read
+include Draw_number
 
 (* {1 Materials, lights, cameras} *)
 
-let rec texture depth r : Texture.t =
-  if depth = 0 || bool r then Constant (rgb share r)
+let rec texture ~most depth r : Texture.t =
+  if depth = 0 || bool r then Constant (rgb (map (Float.mul most) share) r)
   else
-    let even = texture (depth - 1) r in
-    let odd = texture (depth - 1) r in
-    Checker { even; odd; scale = size r }
+    let first = texture ~most (depth - 1) r in
+    let second = texture ~most (depth - 1) r in
+    let scale = size r in
+    if bool r then Checker { even = first; odd = second; scale }
+    else Noise { first; second; scale; octaves = int 1 64 r }
 
-let material r : Material.t =
-  let color = texture 3 r in
-  match int 0 3 r with
-  | 0 -> Matte { color }
-  | 1 -> Phong { color; specular = rgb share r; shininess = light_number r }
+let anisotropy : float draw = one_of [ const 0.; uniform (-0.99) 0.99 ]
+
+(* With [indirect] light, colour and mirror come to at most 1. *)
+let kind ~indirect r : Material.kind =
+  let color = texture ~most:1. 3 r in
+  let index = one_of [ const 1.; uniform 0.5 3. ] in
+  match int (if indirect then 1 else 0) 8 r with
+  | 0 -> Phong { color; specular = rgb share r; shininess = light_number r }
+  | 1 -> Matte { color }
   | 2 -> Mirror { color }
-  | _ -> Glazed { color; mirror = rgb share r }
+  | 3 ->
+      let most = if indirect then 0.5 else 1. in
+      let mirror = rgb (map (Float.mul most) share) r in
+      Glazed { color = texture ~most 3 r; mirror }
+  | 4 ->
+      let absorption = rgb light_number r in
+      let dispersion = option size r in
+      Glass { index = index r; color; absorption; dispersion }
+  | 5 -> Metal { reflectance = color; roughness = share r }
+  | 6 -> Plastic { color; index = index r; roughness = share r }
+  | 7 ->
+      let scattering = rgb light_number r in
+      let absorption = rgb light_number r in
+      let anisotropy = anisotropy r in
+      Translucent { index = index r; scattering; absorption; anisotropy }
+  | _ -> Emitter
+
+let material ~indirect r : Material.t =
+  let kind = kind ~indirect r in
+  let emission = if bool r then Rgb.black else rgb light_number r in
+  { kind; emission }
 
 let falloff = one_of [ const Light.Square; const Light.Constant ]
 
@@ -152,21 +83,47 @@ let window r : Camera.window =
   let left = uniform (-9.) 9. r and bottom = uniform (-9.) 9. r in
   { left; right = left +. 1.5; bottom; top = bottom +. 0.1 }
 
+let shutter r : Camera.shutter =
+  let a = uniform (-1.) 1. r in
+  let b = uniform (-1.) 1. r in
+  one_of
+    [
+      const Camera.instant;
+      const { Camera.opens = Float.min a b; closes = Float.max a b };
+    ]
+    r
+
+let lens r : Camera.lens =
+  let radius = one_of [ const 0.; size ] r in
+  { radius; focus = size r }
+
 let camera r : Camera.t =
   let eye = near_point r in
   let frame : Camera.frame =
-    match int 0 3 r with
+    match int 0 4 r with
     | 0 -> Perspective_angle { fov_y = uniform 1. 179. r }
     | 1 -> Perspective_window { window = window r; distance = size r }
     | 2 -> Orthographic_height { height = size r }
-    | _ -> Orthographic_window { window = window r }
+    | 3 -> Orthographic_window { window = window r }
+    | _ -> Panorama
+  in
+  let near, lens =
+    match frame with
+    | Perspective_angle _ | Perspective_window _ ->
+        let near = option size r in
+        (near, option lens r)
+    | Orthographic_height _ | Orthographic_window _ -> (option size r, None)
+    | Panorama -> (None, None)
   in
   {
     eye;
     look_at = Point.v (eye.x +. 1.) (eye.y -. 0.5) eye.z;
     up = Vec.v 0.1 1. (uniform 0. 1. r);
     frame;
-    near = option size r;
+    near;
+    lens;
+    shutter = shutter r;
+    place = Place.unknown;
   }
 
 (* {1 Surfaces} *)
@@ -300,61 +257,100 @@ let rec shape depth ~names r : Scene.shape =
   | _ -> made (fun p -> Scene.Polygon p) (polygon r)
 
 and surface depth ~names r : Scene.surface =
-  { shape = shape depth ~names r; material = None; place = Place.unknown }
+  let s = Scene.plain (shape depth ~names r) Place.unknown in
+  let motion = one_of [ const Vec.zero; vec ] r in
+  { s with motion; both_sides = bool r }
 
-(* Materials by name, or their own, on some of the surfaces. *)
-let rec paint ~names r (s : Scene.surface) : Scene.surface =
+(* Materials by name, or their own, on some of the surfaces. Where not every
+   material makes sense, one of its own that does. *)
+let rec paint ~indirect ~names r (s : Scene.surface) : Scene.surface =
+  let material = material ~indirect in
   let named = List.map (fun n -> const (Scene.Named n)) names in
   let inlined = map (fun m -> Scene.Inline m) material in
-  let material = option (one_of (inlined :: named)) r in
+  let chosen = option (one_of (inlined :: named)) r in
   match s.shape with
   | Group { transform; surfaces } ->
-      let surfaces = List.map (paint ~names r) surfaces in
-      { s with shape = Group { transform; surfaces }; material }
-  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Use _ ->
+      let surfaces = List.map (paint ~indirect ~names r) surfaces in
+      { s with shape = Group { transform; surfaces }; material = chosen }
+  | Use _ -> { s with material = chosen }
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _) as shape ->
+      let lacks = List.filter (Lack.is_of ~grouped:false shape) Lack.all in
+      let own = material r in
+      let suits = not (List.exists (Lack.is_minded_by own) lacks) in
+      let own = if suits then own else Material.default in
+      let material =
+        if List.is_empty lacks then chosen else Some (Scene.Inline own)
+      in
       { s with material }
 
 (* {1 Scenes} *)
 
 let names r = List.sort_uniq String.compare (list 4 name r)
 let named value name : _ Scene.named = { name; value; place = Place.unknown }
+let placed value = { Scene.value; place = Place.unknown }
+
+let background r : Scene.background =
+  let down = rgb light_number r in
+  if bool r then Uniform down else Gradient { down; up = rgb light_number r }
+
+let room r =
+  let low = near_point r in
+  Bounds.v low (Point.v (low.x +. 1.) (low.y +. 0.5) (low.z +. 2.))
+
+let fog r : Scene.fog =
+  let extinction = rgb light_number r in
+  let albedo = rgb share r in
+  let anisotropy = anisotropy r in
+  { extinction; albedo; anisotropy; within = option room r }
+
+let settings r : Scene.settings =
+  {
+    spp = int 1 100 r;
+    depth = option (int 0 20) r;
+    cutoff = share r;
+    seed = (if bool r then max_int else int 0 99 r);
+    filter = (if bool r then Box else Tent);
+  }
+
+let is_near (l : Light.t) =
+  match l.kind with Point _ | Spot _ -> true | Directional _ -> false
+
+(* Endless fog stands alone. *)
+let cleared (s : Scene.t) =
+  match s.fog with
+  | Some { value = { within = None; _ }; _ } ->
+      let lights = List.filter is_near s.lights in
+      { s with background = Uniform Rgb.black; lights }
+  | Some { value = { within = Some _; _ }; _ } | None -> s
 
 let scene r : Scene.t =
   let material_names = names r and definition_names = names r in
-  let surface ~names r = paint ~names:material_names r (surface 3 ~names r) in
+  let indirect = bool r in
+  let surface ~names r =
+    paint ~indirect ~names:material_names r (surface 3 ~names r)
+  in
   (* A definition uses those before it only. *)
   let define (before, definitions) name =
     let value = list ~least:1 3 (surface ~names:before) r in
     (name :: before, named value name :: definitions)
   in
   let _, definitions = List.fold_left define ([], []) definition_names in
-  {
-    width = int 1 65536 r;
-    height = int 1 65536 r;
-    camera = camera r;
-    background =
-      (if bool r then Uniform (rgb light_number r)
-       else
-         let down = rgb light_number r in
-         Gradient { down; up = rgb light_number r });
-    ambient =
-      option
-        (map
-           (fun value -> { Scene.value; place = Place.unknown })
-           (rgb light_number))
-        r;
-    settings =
-      {
-        spp = int 1 100 r;
-        depth = int 0 20 r;
-        cutoff = share r;
-        seed = (if bool r then max_int else int 0 99 r);
-        filter = (if bool r then Box else Tent);
-      };
-    lights = list 4 light r;
-    materials = List.map (fun n -> named (material r) n) material_names;
-    definitions;
-    surfaces = list 6 (surface ~names:definition_names) r;
-  }
+  let ambient = option (map placed (rgb light_number)) r in
+  cleared
+    {
+      width = int 1 65536 r;
+      height = int 1 65536 r;
+      camera = camera r;
+      background = background r;
+      ambient = (if indirect then None else ambient);
+      indirect = (if indirect then Some Place.unknown else None);
+      fog = option (map placed fog) r;
+      settings = settings r;
+      lights = list 4 light r;
+      materials =
+        List.map (fun n -> named (material ~indirect r) n) material_names;
+      definitions;
+      surfaces = list 6 (surface ~names:definition_names) r;
+    }
 
 let gen d = QCheck2.Gen.make_primitive ~gen:d ~shrink:(fun _ -> Seq.empty)

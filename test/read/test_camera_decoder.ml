@@ -21,12 +21,71 @@ let frames () =
     (Orthographic_height { height = 3. });
   check
     (Printf.sprintf "(orthographic %s (window -1 2 -3 4))" view)
-    (Orthographic_window { window })
+    (Orthographic_window { window });
+  check (Printf.sprintf "(panorama %s)" view) Panorama
 
 let defaults () =
   let c = read (Printf.sprintf "(perspective %s (fov-y 40))" view) in
   Alcotest.(check bool) "up" true (Vec.equal c.up (Vec.v 0. 1. 0.));
-  Alcotest.(check (option (float 0.))) "near" None c.near
+  Alcotest.(check (option (float 0.))) "near" None c.near;
+  is "lens" true (Option.is_none c.lens);
+  is "shutter" true (Camera.equal_shutter Camera.instant c.shutter);
+  is "place" true
+    (Place.equal c.place { file = "test.scene"; line = 1; column = 8 })
+
+let lens () =
+  let c =
+    read
+      (Printf.sprintf
+         "(perspective %s (fov-y 9) (focus-distance 5) (aperture-radius 0))"
+         view)
+  in
+  is "lens" true
+    (Option.equal Camera.equal_lens (Some { radius = 0.; focus = 5. }) c.lens)
+
+let shutter () =
+  let check kind =
+    let c = read (Printf.sprintf "(%s (shutter -1 .5))" kind) in
+    is kind true (Camera.equal_shutter { opens = -1.; closes = 0.5 } c.shutter)
+  in
+  check ("perspective (fov-y 9) " ^ view);
+  check ("orthographic (height 9) " ^ view);
+  check ("panorama " ^ view)
+
+let refused () =
+  let refuses camera expected =
+    errors camera expected
+      (Printf.sprintf "(scene\n(camera (%s %s)))" camera view)
+  in
+  let perspective = "perspective (fov-y 9) " in
+  refuses
+    (perspective ^ "(aperture-radius 1)")
+    [ "2:9 (perspective ...): give (focus-distance D) with aperture-radius" ];
+  refuses
+    (perspective ^ "(focus-distance 1)")
+    [ "2:9 (perspective ...): give (aperture-radius R) with focus-distance" ];
+  refuses
+    (perspective ^ "(aperture-radius -1) (focus-distance 0)")
+    [
+      "2:49 (aperture-radius ...) must not be negative, but is `-1`";
+      "2:69 (focus-distance ...) must be above 0, but is `0`";
+    ];
+  refuses
+    (perspective ^ "(shutter 1 0)")
+    [ "2:32 (shutter ...): T0 must not be above T1" ];
+  refuses
+    (perspective ^ "(shutter 1)")
+    [ "2:32 expected (shutter T0 T1), found 1 word" ];
+  refuses "orthographic (height 1) (aperture-radius 1) (focus-distance 1)"
+    [
+      "2:34 unknown field `aperture-radius` in (orthographic ...)";
+      "2:54 unknown field `focus-distance` in (orthographic ...)";
+    ];
+  refuses "panorama (fov-y 40) (near 1)"
+    [
+      "2:19 unknown field `fov-y` in (panorama ...)";
+      "2:30 unknown field `near` in (panorama ...)";
+    ]
 
 let given () =
   let c =
@@ -64,5 +123,8 @@ let suite =
       case "each way to frame a picture is read" frames;
       case "up is +y and rays start at the eye unless told otherwise" defaults;
       case "eye, look-at, up and near are as written" given;
+      case "a lens has a radius, 0 too, and a distance in focus" lens;
+      case "any camera has a shutter" shutter;
+      case "what no camera has is told" refused;
       case "up may not be along the view, whatever its length" along;
     ] )

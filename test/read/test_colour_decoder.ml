@@ -59,14 +59,11 @@ let shares () =
 
 let cases () =
   let word = Decode.map (fun () -> "none") Decode.flag in
-  let b =
-    Colour_decoder.light_or "glow" ~later:[ "fire" ] [ ("none", word) ] Rgb.show
-  in
+  let b = Colour_decoder.light_or "glow" [ ("none", word) ] Rgb.show in
   let reads = Piece.reads String.equal b and refuses = Piece.refuses b in
   reads "(c (none))" "none";
   reads "(c 3)" (Rgb.show (Rgb.grey 3.));
   reads "(c (rgb 1 2 3))" (Rgb.show (Rgb.v 1. 2. 3.));
-  refuses "(c (fire))" [ "4 `fire` is not supported yet" ];
   refuses "(c (nine))" [ "4 unknown glow `nine`; did you mean `none`?" ];
   refuses "(c -3)" [ "4 a colour must not be negative, but is `-3`" ]
 
@@ -81,6 +78,16 @@ let textures () =
          even = Constant (Rgb.v 1. 0. 0.);
          odd = Checker { even = grey 1.; odd = grey 0.; scale = 2. };
          scale = 0.5;
+       });
+  texture "(c (noise 0 1))"
+    (Noise { first = grey 0.; second = grey 1.; scale = 1.; octaves = 1 });
+  texture "(c (noise (octaves 64) (rgb 1 0 0) (scale 3) 1))"
+    (Noise
+       {
+         first = Constant (Rgb.v 1. 0. 0.);
+         second = grey 1.;
+         scale = 3.;
+         octaves = 64;
        })
 
 let no_textures () =
@@ -93,8 +100,16 @@ let no_textures () =
     [ "4 (checker ...): two colours are needed, not 3" ];
   no_texture "(c (checker 0 1 (scale 0)))"
     [ "24 (scale ...) must be above 0, but is `0`" ];
-  no_texture "(c (image f))" [ "4 `image` is not supported yet" ];
-  no_texture "(c (noise))" [ "4 `noise` is not supported yet" ]
+  no_texture "(c (noise))" [ "4 (noise ...): two colours are needed, not 0" ];
+  no_texture "(c (noise 0 1 (scale -1) (octaves 0)))"
+    [
+      "22 (scale ...) must be above 0, but is `-1`";
+      "35 (octaves ...) must be from 1 to 64, but is `0`";
+    ];
+  no_texture "(c (noise 0 1 (octaves 1.5)))"
+    [ "24 `1.5` is not a whole number" ];
+  no_texture "(c (image))" [ "4 expected (image FILE), found nothing" ];
+  no_texture "(c (image (scale 2)))" [ "11 expected a name, not (scale ...)" ]
 
 let suite =
   ( "colour decoder",

@@ -75,6 +75,37 @@ let shared () =
     "one copy" true
     (first == mention (String.concat "" [ "re"; "d" ]))
 
+let by_place () =
+  let n = Notes.make () in
+  let a = Notes.within n (source "a") in
+  let b = Notes.within n (source "b") in
+  let place file line column = { Candor_scene.Place.file; line; column } in
+  refuse b (span 1 0) "b1";
+  refuse a (span 3 8) "a3";
+  Notes.error_at n (place "a" 2 1) ~hint:"h" "a2";
+  Notes.error_at b (place "a" 2 1) ~hint:"h" "a2";
+  Notes.error_at n (place "b" 9 9) "b9, a line that is gone";
+  Alcotest.(check (list string))
+    "sorted"
+    [ "a:2:1 a2"; "a:3:1 a3"; "b:9:9 b9, a line that is gone"; "b:1:1 b1" ]
+    (shown n);
+  match (Notes.report n).errors with
+  | { excerpt = Some e; hint; _ } :: _ ->
+      Alcotest.(check string) "excerpt" "two" e.text;
+      Alcotest.(check (option string)) "hint" (Some "h") hint
+  | _ -> Alcotest.fail "no excerpt"
+
+let pictures () =
+  let n = Notes.make () in
+  let loads = ref 0 in
+  let load () =
+    incr loads;
+    Error "no"
+  in
+  let ask key = is key true (Result.is_error (Notes.picture n key load)) in
+  List.iter ask [ "a"; "b"; "a"; "a"; "b" ];
+  Alcotest.(check int) "loads" 2 !loads
+
 let suite =
   ( "notes",
     [
@@ -83,4 +114,6 @@ let suite =
       case "what follows an unclosed parenthesis is not judged" distrust;
       case "a name that means nothing is told at its first mention" mentions;
       case "a name is kept once" shared;
+      case "an error by place is one like any other" by_place;
+      case "a picture is loaded once" pictures;
     ] )

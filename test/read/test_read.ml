@@ -13,6 +13,7 @@ let () =
       Test_forms.suite;
       Test_excerpt.suite;
       Test_fault.suite;
+      Test_retrace.suite;
       Test_notes.suite;
       Test_error.suite;
       Test_decode.suite;
@@ -20,6 +21,7 @@ let () =
       Test_quantity.suite;
       Test_words.suite;
       Test_geometry_decoder.suite;
+      Test_picture_decoder.suite;
       Test_colour_decoder.suite;
       Test_setting_decoder.suite;
       Test_camera_decoder.suite;
@@ -30,6 +32,8 @@ let () =
       Test_surface_decoder.suite;
       Test_top_level.suite;
       Test_cycles.suite;
+      Test_lack.suite;
+      Test_sense.suite;
       Test_layout.suite;
       Test_scene_printer.suite;
       Test_scene_file.suite;

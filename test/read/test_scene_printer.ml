@@ -48,7 +48,7 @@ let readable () =
     "layout"
     "(scene\n\
     \  (image (size 640 480))\n\
-    \  (render (spp 16) (depth 8) (cutoff 0) (seed 0) (filter box))\n\
+    \  (render (spp 16) (cutoff 0) (seed 0) (filter box))\n\
     \  (camera (perspective (eye 0 1 5) (look-at 0 1 0) (up 0 1 0) (fov-y 40)))\n\
     \  (background 0)\n\
     \  (material red (matte (color (rgb 0.9 0.1 0.1))))\n\
@@ -66,11 +66,28 @@ let readable () =
            (material red)) (quadric (cylinder (from 0 0 0) (to 0 1 0) (radius \
            1)) (clip (min -1 -1 -1) (max 1 1 1)) (caps)))"))
 
+let pictures () =
+  Files.with_folder (fun folder ->
+      let (_ : string) = Files.write folder "a b.ppm" "P3 1 1 255 9 8 7" in
+      let read text =
+        match Scene_file.read (Files.write folder "a.scene" text) with
+        | Ok scene -> scene
+        | Error report -> Alcotest.fail (show report)
+      in
+      let s =
+        read
+          (scene
+             "(background (image \"a b.ppm\")) (sphere (center 0 0 0) (radius \
+              1) (material (matte (color (noise (image \"a b.ppm\") 1)))))")
+      in
+      is "reads back" true (same s (read (print s))))
+
 let suite =
   ( "scene printer",
     [
       reads_as_printed;
       normals_keep_their_bits;
+      case "pictures keep their names" pictures;
       case "lines hold at most 80 columns" narrow;
       case "the layout is that of a person" readable;
     ] )

@@ -1,3 +1,4 @@
+open Candor_space
 open Candor_colour
 open Candor_read
 open Candor_scene
@@ -26,7 +27,7 @@ let reads = Piece.reads Scene.equal_settings render
 let settings () =
   reads "(render)" d;
   reads "(render (spp 7))" { d with spp = 7 };
-  reads "(render (depth 0))" { d with depth = 0 };
+  reads "(render (depth 0))" { d with depth = Some 0 };
   reads "(render (cutoff .25))" { d with cutoff = 0.25 };
   reads "(render (seed 0))" { d with seed = 0 };
   reads (Printf.sprintf "(render (seed %d))" max_int) { d with seed = max_int };
@@ -37,7 +38,7 @@ let settings () =
      1073741824))"
     {
       spp = 0x40000000;
-      depth = 0x40000000;
+      depth = Some 0x40000000;
       cutoff = 1.;
       seed = 5;
       filter = Tent;
@@ -74,9 +75,57 @@ let no_backgrounds () =
   refuses "(background -1)" [ "13 a colour must not be negative, but is `-1`" ];
   refuses "(background (gradient (up 1)))"
     [ "13 (gradient ...) needs (down COLOUR)" ];
-  refuses "(background (image sky))" [ "13 `image` is not supported yet" ];
+  refuses "(background (image))" [ "13 expected (image FILE), found nothing" ];
   refuses "(background (sky))"
-    [ "13 unknown background `sky`; expected rgb or gradient" ]
+    [ "13 unknown background `sky`; expected rgb, gradient or image" ]
+
+let fog =
+  let reads text value =
+    Piece.reads
+      (fun (a : _ Scene.placed) (b : _ Scene.placed) ->
+        Scene.equal_fog a.value b.value)
+      Setting_decoder.fog text
+      { Scene.value; place = Place.unknown }
+  in
+  fun () ->
+    reads "(fog (extinction .1) (albedo (rgb 1 0 .5)))"
+      {
+        extinction = Rgb.grey 0.1;
+        albedo = Rgb.v 1. 0. 0.5;
+        anisotropy = 0.;
+        within = None;
+      };
+    reads
+      "(fog (within (max 4 5 6) (min 1 2 3)) (anisotropy -.5) (albedo 0) \
+       (extinction 7))"
+      {
+        extinction = Rgb.grey 7.;
+        albedo = Rgb.black;
+        anisotropy = -0.5;
+        within = Some (Bounds.v (Point.v 1. 2. 3.) (Point.v 4. 5. 6.));
+      }
+
+let no_fog () =
+  let refuses = Piece.refuses Setting_decoder.fog in
+  refuses "(fog)"
+    [
+      "1 (fog ...) needs (albedo COLOUR)";
+      "1 (fog ...) needs (extinction COLOUR)";
+    ];
+  refuses "(fog (extinction -1) (albedo 2) (anisotropy -1))"
+    [
+      "18 a colour must not be negative, but is `-1`";
+      "30 a colour must be from 0 to 1, but is `2`";
+      "45 (anisotropy ...) must be above -1 and below 1, but is `-1`";
+    ];
+  refuses "(fog (extinction 1) (albedo 1) (within (min 0 0 0) (max 1 0 1)))"
+    [ "32 (within ...): min must be below max on every axis" ]
+
+let indirect () =
+  Piece.reads Place.equal Setting_decoder.indirect " (indirect-light)"
+    { file = ""; line = 1; column = 2 };
+  Piece.refuses Setting_decoder.indirect "(indirect-light no)"
+    [ "1 expected (indirect-light), found 1 word" ]
 
 (* Every field that is written is read, and every one that is not has its
    default. *)
@@ -87,7 +136,11 @@ let any_settings =
     if written then (write x, x) else ("", d)
   in
   let+ s, spp = part (Printf.sprintf "(spp %d)") d.spp (int_range 1 999)
-  and+ e, depth = part (Printf.sprintf "(depth %d)") d.depth (int_bound 99)
+  and+ e, depth =
+    part
+      (Option.fold ~none:"" ~some:(Printf.sprintf "(depth %d)"))
+      d.depth
+      (map Option.some (int_bound 99))
   and+ c, cutoff =
     part (Printf.sprintf "(cutoff %h)") d.cutoff (float_range 0. 1.)
   and+ n, seed = part (Printf.sprintf "(seed %d)") d.seed nat
@@ -115,6 +168,9 @@ let suite =
       case "each setting is read" settings;
       case "what is no setting is told" no_settings;
       defaults;
+      case "fog is everywhere and scatters evenly unless told otherwise" fog;
+      case "what is no fog is told" no_fog;
+      case "indirect light is asked for, and no more" indirect;
       case "a background is a colour of light, or a gradient" backgrounds;
       case "what is no background is told" no_backgrounds;
     ] )

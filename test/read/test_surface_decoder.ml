@@ -101,7 +101,28 @@ let use () =
 let attributes () =
   let s = only_surface "\n(sphere (center 0 0 0) (radius 1))" in
   Alcotest.(check bool) "material" true (Option.is_none s.material);
-  Alcotest.(check string) "place" "test.scene:2:1" (Place.to_string s.place)
+  Alcotest.(check string) "place" "test.scene:2:1" (Place.to_string s.place);
+  is "still" true (Scene.is_still s);
+  is "one side" false s.both_sides
+
+let moving () =
+  let check forms =
+    let s =
+      only_surface (Printf.sprintf forms "(motion 1 -2 .5) (both-sides)")
+    in
+    is "motion" true (Vec.equal s.motion (Vec.v 1. (-2.) 0.5));
+    is "both sides" true s.both_sides
+  in
+  check "(sphere (center 0 0 0) (radius 1) %s)";
+  check "(box (min 0 0 0) (max 1 1 1) %s)";
+  check "(triangle (0 0 0) (1 0 0) (0 1 0) %s)";
+  check "(quadric (plane (normal 0 1 0) (offset 0)) %s)";
+  check "(polygon (0 0 0) (1 0 0) (0 1 0) %s)";
+  check "(group %s (sphere (center 0 0 0) (radius 1)))";
+  check "(use a %s) (define a (sphere (center 0 0 0) (radius 1)))";
+  errors "a motion is a vector"
+    [ "2:35 expected (motion X Y Z), found 1 word" ]
+    (scene "\n(sphere (center 0 0 0) (radius 1) (motion 1))")
 
 let suite =
   ( "surface decoder",
@@ -114,4 +135,5 @@ let suite =
       case "a definition may be used before it is made" use;
       case "a surface knows its place and names no material of itself"
         attributes;
+      case "any surface may move, and emit from both sides" moving;
     ] )

@@ -13,7 +13,7 @@ let defaults () =
   Alcotest.(check bool)
     "settings" true
     (Scene.equal_settings s.settings
-       { spp = 16; depth = 8; cutoff = 0.; seed = 0; filter = Box });
+       { spp = 16; depth = None; cutoff = 0.; seed = 0; filter = Box });
   Alcotest.(check int) "lights" 0 (List.length s.lights);
   Alcotest.(check int) "surfaces" 0 (List.length s.surfaces)
 
@@ -27,11 +27,12 @@ let settings () =
   Alcotest.(check bool)
     "settings" true
     (Scene.equal_settings s.settings
-       { spp = 4; depth = 0; cutoff = 0.5; seed = 7; filter = Tent });
+       { spp = 4; depth = Some 0; cutoff = 0.5; seed = 7; filter = Tent });
   let s = ok_forms "(render (depth 3))" in
   Alcotest.(check bool)
     "only depth" true
-    (Scene.equal_settings s.settings { Scene.default_settings with depth = 3 })
+    (Scene.equal_settings s.settings
+       { Scene.default_settings with depth = Some 3 })
 
 let backgrounds () =
   let check s b =

@@ -15,10 +15,8 @@ let get = function
   | None -> Alcotest.fail "the render was stopped"
 
 let picture ?domains ?window s = (get (report ?domains ?window s)).picture
-
-let law ?(count = 20) name f =
-  Law.law ~count ~print:Drawn.show name (Drawn.scene Round) f
-
+let scenes = Gen.oneof [ Drawn.scene Round; Rich.scene Round ]
+let law ?(count = 40) name f = Law.law ~count ~print:Drawn.show name scenes f
 let counts tally = List.map (Tally.get tally) Tally.counters
 
 let any_domains s =
@@ -38,7 +36,7 @@ let as_pixels s =
 
 let with_window =
   let open Gen in
-  let* s = Drawn.scene Round in
+  let* s = scenes in
   let* x0 = int_bound (s.width - 1) and* y0 = int_bound (s.height - 1) in
   let+ x1 = int_range (x0 + 1) s.width and+ y1 = int_range (y0 + 1) s.height in
   (s, { Render.x0; y0; x1; y1 })
@@ -53,7 +51,7 @@ let crop (s, ({ Render.x0; y0; x1; y1 } as window)) =
         Picture.pixel all (x0 + x) (y0 + y))
   in
   r.window = window && Shot.same cut r.picture
-  && Tally.get r.tally Camera_rays
+  && Tally.get r.tally Camera_rays + Tally.get r.tally Spared_samples
      = (x1 - x0) * (y1 - y0) * s.Scene.settings.spp
 
 (* A busier picture than the drawn ones. *)

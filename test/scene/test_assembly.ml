@@ -11,7 +11,7 @@ let down surface x =
   Surface.nearest surface (Ray.v (Point.v x 0. 10.) (Vec.v 0. 0. (-1.)))
 
 let skin_at scene x =
-  match down (Assembly.surface scene) x with
+  match down (Assembly.surface ~dress:Fun.id scene) x with
   | Some hit -> hit
   | None -> Alcotest.failf "nothing at x = %g" x
 
@@ -20,7 +20,7 @@ let path_at scene x =
 
 let color_at scene x =
   match (skin_at scene x).material.material with
-  | Matte { color = Constant c } -> c.r
+  | { kind = Matte { color = Constant c }; _ } -> c.r
   | m -> Alcotest.failf "not plain matte: %s" (Material.show m)
 
 let colors name scene expected =
@@ -175,7 +175,7 @@ let doublings =
     @ [ "(use d30)"; "(use d30 " ^ matte 0.1 ^ ")" ])
 
 let shared () =
-  let surface = Assembly.surface doublings in
+  let surface = Assembly.surface ~dress:Fun.id doublings in
   let far = 2. *. 0x2AAAAAAA.p0 in
   (match down surface far with
   | None -> Alcotest.fail "nothing at the far ball"
@@ -247,7 +247,7 @@ let materials_found s =
       (fun (u : Assembly.use) -> u.material)
       (Assembly.materials_in_use s)
   in
-  let surface = Assembly.surface s in
+  let surface = Assembly.surface ~dress:Fun.id s in
   let found i =
     let x = (float_of_int (i mod 8) -. 3.6) /. 2.
     and y = (float_of_int (i / 8) -. 3.7) /. 2. in
@@ -276,7 +276,7 @@ let by_math () =
       ]
   in
   let ts ?math () =
-    let surface = Assembly.surface ?math s in
+    let surface = Assembly.surface ?math ~dress:Fun.id s in
     let down x =
       Surface.nearest surface (Ray.v (Point.v x 0. 1e9) (Vec.v 0. 0. (-1.)))
     in
@@ -295,7 +295,9 @@ let by_math () =
 
 let default_seen () =
   match Assembly.materials_in_use (scene [ ball 0. ]) with
-  | [ { name = None; material = Matte { color = Constant c }; _ } ] ->
+  | [
+   { name = None; material = { kind = Matte { color = Constant c }; _ }; _ };
+  ] ->
       Alcotest.(check bool) "grey .5" true (Rgb.equal c (Rgb.grey 0.5))
   | _ -> Alcotest.fail "expected the default material alone"
 

@@ -46,6 +46,7 @@ let frames () =
       ("orthographic", Orthographic_height { height = 40. });
       ("height", Orthographic_height { height = 50. });
       ("orthographic window", Orthographic_window { window });
+      ("panorama", Panorama);
       ("its window", Orthographic_window { window = wider });
     ]
 
@@ -57,6 +58,9 @@ let cameras () =
       up = Vec.v 0. 1. 0.;
       frame = Perspective_angle { fov_y = 40. };
       near = Some 1.;
+      lens = Some { radius = 1.; focus = 2. };
+      shutter = { opens = 0.; closes = 1. };
+      place = { file = "a.scene"; line = 3; column = 5 };
     }
   in
   Derived.notices
@@ -69,6 +73,12 @@ let cameras () =
       ("frame", { camera with frame = Orthographic_height { height = 40. } });
       ("near", { camera with near = Some 2. });
       ("no near", { camera with near = None });
+      ("lens", { camera with lens = Some { radius = 2.; focus = 2. } });
+      ("focus", { camera with lens = Some { radius = 1.; focus = 3. } });
+      ("no lens", { camera with lens = None });
+      ("opens", { camera with shutter = { opens = -1.; closes = 1. } });
+      ("closes", { camera with shutter = { opens = 0.; closes = 2. } });
+      ("place", { camera with place = Place.unknown });
     ]
 
 let suite =

@@ -4,8 +4,8 @@ open Candor_scene_made
 
 let defaults () =
   let { Scene.spp; depth; cutoff; seed; filter } = Scene.default_settings in
-  Alcotest.(check (list int))
-    "spp, depth, seed" [ 16; 8; 0 ] [ spp; depth; seed ];
+  Alcotest.(check (list int)) "spp, seed" [ 16; 0 ] [ spp; seed ];
+  Alcotest.(check (option int)) "depth" None depth;
   Alcotest.(check (float 0.)) "cutoff" 0. cutoff;
   Alcotest.(check bool) "filter" true (filter = Box)
 
@@ -57,11 +57,36 @@ let moved () =
     "another scene" false
     Scene.(equal (forget_places a) (forget_places c))
 
+let depths () =
+  let depth forms =
+    Scene.depth (Written.scene (Written.flat_camera :: forms))
+  in
+  Alcotest.(check (list int))
+    "depths" [ 8; 3; max_int; 3 ]
+    [
+      depth [];
+      depth [ "(render (depth 3))" ];
+      depth [ "(indirect-light)" ];
+      depth [ "(indirect-light)"; "(render (depth 3))" ];
+    ]
+
+let reads_back s =
+  match Candor_read.Scene_file.of_string ~name:"drawn.scene" (Drawn.show s) with
+  | Ok s' -> Scene.(equal (forget_places s) (forget_places s'))
+  | Error report ->
+      Law.fail "%s" (Format.asprintf "%a" Candor_read.Error.pp_report report)
+
 let suite =
   ( "scenes",
     [
       Law.example "defaults are those of the language" defaults;
       Law.law ~count:200 ~print:Drawn.show
         "forget_places leaves no place anywhere" (Drawn.scene Round) forgets;
+      Law.example
+        "paths end at depth 8, or under indirect light nowhere, unless told"
+        depths;
+      Law.law ~count:200 ~print:Drawn.show
+        "scenes drawn of the whole language make sense, and read as printed"
+        (Rich.scene Round) reads_back;
       Law.example "scenes written on other lines differ in places only" moved;
     ] )

@@ -8,6 +8,9 @@ open Candor_scene_made
 let law ?(count = 200) name f =
   Law.law ~count ~print:Drawn.show name (Drawn.scene Round) f
 
+let rich_law ?(count = 200) name f =
+  Law.law ~count ~print:Drawn.show name (Rich.scene Round) f
+
 (* Shrinking would move surfaces onto each other. *)
 let loose_law name f =
   let scenes = QCheck2.Gen.no_shrink (Drawn.scene Loose) in
@@ -30,19 +33,50 @@ let non_negative (s : Scene.t) =
       r >= 0. && g >= 0. && b >= 0.)
     (List.init (s.width * s.height) Fun.id)
 
-let rec shuffled state surfaces =
+(* Surfaces that may emit keep their order among themselves: the others are
+   shuffled around them. *)
+let rec shuffled ~emits state surfaces =
   let inner (s : Scene.surface) =
     match s.shape with
     | Group g ->
-        { s with shape = Group { g with surfaces = shuffled state g.surfaces } }
+        {
+          s with
+          shape = Group { g with surfaces = shuffled ~emits state g.surfaces };
+        }
     | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Use _ -> s
   in
-  surfaces
-  |> List.map (fun s -> (Random.State.bits state, inner s))
-  |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
-  |> List.map snd
+  let mixed =
+    List.map (fun s -> (Random.State.bits state, inner s)) surfaces
+    |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
+    |> List.map snd
+  in
+  let rec refill emitting = function
+    | [] -> []
+    | s :: rest when emits s -> (
+        match emitting with
+        | first :: others -> first :: refill others rest
+        | [] -> s :: refill [] rest)
+    | s :: rest -> s :: refill emitting rest
+  in
+  refill (List.filter emits (List.map inner surfaces)) mixed
 
-let any_order (s : Scene.t) =
+(* Whether a surface may emit: groups and uses may always. *)
+let may_emit (scene : Scene.t) (s : Scene.surface) =
+  let material : Scene.material -> bool = function
+    | Inline m -> Material.emits m
+    | Named n ->
+        List.exists
+          (fun (m : _ Scene.named) -> m.name = n && Material.emits m.value)
+          scene.materials
+  in
+  match (s.shape, s.material) with
+  | (Group _ | Use _), _ -> true
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _), Some m ->
+      material m
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _), None -> true
+
+let any_order ~emits (s : Scene.t) =
+  let shuffled = shuffled ~emits:(emits s) in
   let state = Random.State.make [| List.length s.surfaces |] in
   let again =
     {
@@ -130,6 +164,7 @@ let brighter k (s : Scene.t) =
     | Uniform c -> Uniform (Rgb.scale k c)
     | Gradient { down; up } ->
         Gradient { down = Rgb.scale k down; up = Rgb.scale k up }
+    | Image _ as picture -> picture
   in
   {
     s with
@@ -160,8 +195,10 @@ let with_cutoff_zero f (s : Scene.t) =
 
 (* Deeper paths only add light, and none where none was cut. *)
 let deeper (s : Scene.t) =
-  let at depth = Shot.v { s with settings = { s.settings with depth } } in
-  let a = at s.settings.depth and b = at (s.settings.depth + 1) in
+  let at depth =
+    Shot.v { s with settings = { s.settings with depth = Some depth } }
+  in
+  let a = at (Scene.depth s) and b = at (Scene.depth s + 1) in
   let { Scene.width; height; _ } = s in
   List.for_all
     (fun i ->
@@ -192,13 +229,28 @@ let suite =
     [
       Law.example "the scenes drawn here are busy" busy;
       law "all effects on give the same bits" all_effects;
+      rich_law ~count:1000 "all effects on give the same bits, of any scene"
+        all_effects;
       law ~count:50 "a picture is the same every time" repeated;
       Law.law ~count:300
         ~print:(fun (s, k) -> Printf.sprintf "%s\n2^%d" (Drawn.show s) k)
         "a scene 2^-60 to 2^60 times as large gives the same bits"
         (QCheck2.Gen.pair (Drawn.scene Round) (QCheck2.Gen.int_range (-60) 60))
         scaled;
-      loose_law "surfaces in another order give the same bits" any_order;
+      Law.law ~count:200
+        ~print:(fun (s, k) -> Printf.sprintf "%s\n2^%d" (Drawn.show s) k)
+        "any scene 2^-60 to 2^60 times as large gives the same bits"
+        (QCheck2.Gen.pair (Rich.scene Round) (QCheck2.Gen.int_range (-60) 60))
+        scaled;
+      rich_law ~count:100 "any picture is the same every time" repeated;
+      rich_law "light of any scene is never negative" non_negative;
+      loose_law "surfaces in another order give the same bits"
+        (any_order ~emits:(fun _ _ -> false));
+      Law.law ~count:300 ~print:Drawn.show
+        "surfaces in another order give the same bits, of any scene whose \
+         emitters keep theirs"
+        (QCheck2.Gen.no_shrink (Rich.scene Loose))
+        (any_order ~emits:may_emit);
       law "definitions and names give the bits of what they stand for" inlined;
       law "the light of several lights is the sum of theirs" sum_of_lights;
       law "8 times the light is 8 times as bright, to the bit"

@@ -8,17 +8,17 @@ open Candor_scene_made
 
 let rgb = Alcotest.testable (Fmt.of_to_string Rgb.show) Rgb.equal
 
+let radiance s tally =
+  let surface = Candor_optics.Skin.surface s in
+  Radiance.compile (Plan.compile (Plan.of_scene s) s surface) tally Path.start
+
 let watched (s : Scene.t) ray =
   let seen = ref [] in
   let tally = Tally.make ~watch:(fun e -> seen := e :: !seen) () in
-  let value =
-    Radiance.compile (Plan.of_scene s) s (Assembly.surface s) tally ray
-  in
+  let value = radiance s tally ray in
   (value, List.rev !seen, tally)
 
-let quiet (s : Scene.t) ray =
-  Radiance.compile (Plan.of_scene s) s (Assembly.surface s) (Tally.make ()) ray
-
+let quiet (s : Scene.t) ray = radiance s (Tally.make ()) ray
 let ahead = Ray.v (Point.v 0.1 0.2 5.) (Vec.v 0. 0. (-1.))
 
 let word : Event.t -> string = function
@@ -64,7 +64,7 @@ let events () =
     (List.map word events);
   Alcotest.check rgb "watching changes nothing" (quiet s ahead) value;
   Alcotest.(check (list int))
-    "camera, shadow and mirror rays" [ 1; 1; 1 ]
+    "camera, shadow and mirror rays, no others" [ 1; 1; 1; 0; 0; 0; 0; 0 ]
     (List.map (Tally.get tally) Tally.rays);
   let sum =
     List.fold_left
@@ -124,7 +124,7 @@ let depths (s : Scene.t) =
                (fun t -> Rgb.largest throughput <= Rgb.largest t)
                open_
         in
-        (throughput :: open_, ok && List.length open_ <= s.settings.depth)
+        (throughput :: open_, ok && List.length open_ <= Scene.depth s)
     | Leave _ -> (List.tl open_, ok)
     | _ -> (open_, ok)
   in

@@ -39,11 +39,7 @@ let mirrorable q =
       Made.quadric (Hyperboloid_one_sheet { center; radii })
   | _ -> q
 
-let triangles p =
-  List.map
-    (fun x ->
-      { Scene.shape = Triangle x; material = None; place = Place.unknown })
-    p
+let triangles p = List.map (fun x -> Scene.plain (Triangle x) Place.unknown) p
 
 let rec surface f g (s : Scene.surface) : Scene.surface =
   let shape : Scene.shape =

@@ -81,5 +81,5 @@ let v standing size (s : Scene.t) =
         s with
         camera = camera m size s.camera;
         lights = List.map (light m size) s.lights;
-        surfaces = [ { shape; material = None; place = Place.unknown } ];
+        surfaces = [ Scene.plain shape Place.unknown ];
       }

@@ -86,7 +86,7 @@ let agree what ray same before after =
   if not right then ignore (differ what ray before after : bool)
 
 let longer s rand =
-  let surface = Assembly.surface s in
+  let surface = Assembly.surface ~dress:Fun.id s in
   times 25 (fun () ->
       let ray = ray rand in
       let k = Float.ldexp 1. (Random.State.int rand 121 - 60) in
@@ -104,7 +104,8 @@ let longer s rand =
 let mirrored s rand =
   let change = Shapes.mirror (Random.State.int rand 3) in
   let s, s' = Mirrored.both change s in
-  let surface = Assembly.surface s and surface' = Assembly.surface s' in
+  let surface = Assembly.surface ~dress:Fun.id s
+  and surface' = Assembly.surface ~dress:Fun.id s' in
   times 25 (fun () ->
       let ray = loose_ray rand in
       let same (a : _ Hit.t) (b : _ Hit.t) =
@@ -122,10 +123,11 @@ let rays_each = 5_000
 
 (* The least by (t, place) of all simple surfaces, each asked alone. *)
 let scanned s rand =
-  let whole = Assembly.surface s in
+  let whole = Assembly.surface ~dress:Fun.id s in
   let leaves =
     List.map
-      (fun { Flattened.path; alone } -> (path, Assembly.surface alone))
+      (fun { Flattened.path; alone } ->
+        (path, Assembly.surface ~dress:Fun.id alone))
       (Flattened.leaves s)
   in
   let least ray =

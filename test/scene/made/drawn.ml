@@ -51,13 +51,16 @@ let material : Material.t gen =
   let* color = texture
   and* c = rgb
   and* shininess = Draw.pick [ 0.; 1.; 20.; 1000. ] in
-  Draw.pick
-    [
-      Material.Matte { color };
-      Phong { color; specular = c; shininess };
-      Mirror { color };
-      Glazed { color; mirror = c };
-    ]
+  let+ kind =
+    Draw.pick
+      [
+        Material.Matte { color };
+        Phong { color; specular = c; shininess };
+        Mirror { color };
+        Glazed { color; mirror = c };
+      ]
+  in
+  Material.v kind
 
 let point style =
   let coordinate = number style (-2.) 2. in
@@ -236,7 +239,7 @@ let rec surface style ~depth ~definitions ~materials : Scene.surface gen =
   let+ shape = oneof (simple @ nested @ shared)
   and+ material = used_material materials
   and+ line = int_range 1 9999 in
-  { Scene.shape; material; place = place_of line }
+  { (Scene.plain shape (place_of line)) with material }
 
 let falloff = Draw.pick [ Light.Square; Light.Square; Light.Constant ]
 
@@ -315,11 +318,20 @@ let camera style =
         Orthographic_window { window };
       ]
   in
-  { Camera.eye; look_at; up; frame; near }
+  {
+    Camera.eye;
+    look_at;
+    up;
+    frame;
+    near;
+    lens = None;
+    shutter = Camera.instant;
+    place = place_of 5;
+  }
 
 let settings =
   let+ spp = int_range 1 4
-  and+ depth = int_bound 5
+  and+ depth = map Option.some (int_bound 5)
   and+ cutoff = Draw.pick [ 0.; 0.; 0.3 ]
   and+ seed = int_bound 1000
   and+ filter = Draw.pick [ (Box : Scene.filter); Tent ] in
@@ -349,6 +361,8 @@ let scene ?(most = 8) style =
     background;
     ambient =
       Option.map (fun value -> { Scene.value; place = place_of 2 }) ambient;
+    indirect = None;
+    fog = None;
     settings;
     lights;
     materials = List.map2 named materials values;

@@ -1,5 +1,6 @@
 (** A scene with every length multiplied by a power of two, and what goes with
-    lengths: intensities by its square. *)
+    lengths: intensities by its square, what is per unit length by its inverse.
+    An image on a plane is left as it is, for it has no scale of its own. *)
 
 open Candor_space
 open Candor_colour
@@ -70,12 +71,31 @@ let rec texture k : Texture.t -> Texture.t = function
   | Constant _ as c -> c
   | Checker { even; odd; scale } ->
       Checker { even = texture k even; odd = texture k odd; scale = k *. scale }
+  | Noise { first; second; scale; octaves } ->
+      let first = texture k first and second = texture k second in
+      Noise { first; second; scale = k *. scale; octaves }
+  | Image _ as i -> i
 
-let material k : Material.t -> Material.t = function
+(* What is per unit length. *)
+let rate k c = Rgb.scale (1. /. k) c
+
+let material_kind k : Material.kind -> Material.kind = function
   | Matte { color } -> Matte { color = texture k color }
   | Phong m -> Phong { m with color = texture k m.color }
   | Mirror { color } -> Mirror { color = texture k color }
   | Glazed m -> Glazed { m with color = texture k m.color }
+  | Glass m ->
+      let color = texture k m.color and absorption = rate k m.absorption in
+      Glass { m with color; absorption }
+  | Metal m -> Metal { m with reflectance = texture k m.reflectance }
+  | Plastic m -> Plastic { m with color = texture k m.color }
+  | Translucent m ->
+      let scattering = rate k m.scattering
+      and absorption = rate k m.absorption in
+      Translucent { m with scattering; absorption }
+  | Emitter -> Emitter
+
+let material k (m : Material.t) = { m with kind = material_kind k m.kind }
 
 let used k : Scene.material -> Scene.material = function
   | Named _ as m -> m
@@ -99,7 +119,12 @@ let rec surface k (s : Scene.surface) : Scene.surface =
     | Use { transform; name } ->
         Use { transform = List.map (step k) transform; name }
   in
-  { s with shape; material = Option.map (used k) s.material }
+  {
+    s with
+    shape;
+    material = Option.map (used k) s.material;
+    motion = Vec.scale k s.motion;
+  }
 
 let window k ({ left; right; bottom; top } : Camera.window) : Camera.window =
   { left = k *. left; right = k *. right; bottom = k *. bottom; top = k *. top }
@@ -112,6 +137,10 @@ let frame k : Camera.frame -> Camera.frame = function
       Orthographic_height { height = k *. height }
   | Orthographic_window { window = w } ->
       Orthographic_window { window = window k w }
+  | Panorama -> Panorama
+
+let lens k ({ radius; focus } : Camera.lens) : Camera.lens =
+  { radius = k *. radius; focus = k *. focus }
 
 let camera k (c : Camera.t) : Camera.t =
   {
@@ -120,6 +149,7 @@ let camera k (c : Camera.t) : Camera.t =
     look_at = point k c.look_at;
     frame = frame k c.frame;
     near = Option.map (fun d -> k *. d) c.near;
+    lens = Option.map (lens k) c.lens;
   }
 
 let brighter k (falloff : Light.falloff) intensity =
@@ -141,12 +171,23 @@ let kind k : Light.kind -> Light.kind = function
           intensity = brighter k s.falloff s.intensity;
         }
 
+let fog k (f : Scene.fog) =
+  {
+    f with
+    extinction = rate k f.extinction;
+    within = Option.map (bounds k) f.within;
+  }
+
 (** [by k s] is [s] with all lengths multiplied by [k], a power of two. *)
 let by k (s : Scene.t) : Scene.t =
   let named f (n : _ Scene.named) = { n with value = f n.value } in
   {
     s with
     camera = camera k s.camera;
+    fog =
+      Option.map
+        (fun (f : _ Scene.placed) -> { f with value = fog k f.value })
+        s.fog;
     lights =
       List.map (fun (l : Light.t) -> { l with kind = kind k l.kind }) s.lights;
     materials = List.map (named (material k)) s.materials;
