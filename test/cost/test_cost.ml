@@ -1,0 +1,1 @@
+let () = Alcotest.run "cost" (Test_absent.suites @ [ Test_forced.suite ])
