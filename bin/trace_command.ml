@@ -41,6 +41,12 @@ let lines : Event.t -> string list = function
         Printf.sprintf "shadow ray to the light [%s]: %s" (at light)
           (if blocked then "blocked" else "free");
       ]
+  | Toward_emitter { emitter; seen } ->
+      [
+        Printf.sprintf "ray to the area light [%s]: %s"
+          (Place.to_string emitter)
+          (if seen then "met" else "not met");
+      ]
   | Faces_away { light } ->
       [ Printf.sprintf "faces away from the light [%s]" (at light) ]
   | Cut Depth -> [ "reflection cut: the path is at its depth" ]
@@ -60,7 +66,8 @@ let print_event indent (e : Event.t) =
   | Leave _, all ->
       print indent all;
       indent - 1
-  | ( (Enter _ | Met _ | Met_nothing | Shadow _ | Faces_away _ | Cut _ | Term _),
+  | ( ( Enter _ | Met _ | Met_nothing | Shadow _ | Toward_emitter _
+      | Faces_away _ | Cut _ | Term _ ),
       all ) ->
       print indent all;
       indent

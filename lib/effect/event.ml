@@ -10,6 +10,7 @@ type t =
   | Met of Candor_optics.Skin.t Hit.t
   | Met_nothing
   | Shadow of { light : Light.t; blocked : bool }
+  | Toward_emitter of { emitter : Place.t; seen : bool }
   | Faces_away of { light : Light.t }
   | Cut of cut
   | Term of { name : string; radiance : Rgb.t }

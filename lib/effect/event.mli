@@ -17,6 +17,8 @@ type t =
   | Met_nothing
   | Shadow of { light : Light.t; blocked : bool }
       (** a shadow ray was traced *)
+  | Toward_emitter of { emitter : Place.t; seen : bool }
+      (** a ray was traced towards a surface that emits *)
   | Faces_away of { light : Light.t }
       (** the surface turns its back on the light: no shadow ray *)
   | Cut of cut  (** a reflection was left out *)

@@ -18,6 +18,16 @@ let veiled veil : Path.t -> Point.t -> Point.t -> Rgb.t -> Rgb.t =
   | Some (veil : Direct.veil) ->
       fun path point at light -> Rgb.mul (veil path point (At at)) light
 
+let is_light lights index (hit : Tracer.hit) =
+  Area_lights.index lights hit.path = Some index
+
+let show lights tally index hit =
+  let of_emitter (e : Emitters.t) =
+    let seen = Option.fold hit ~none:false ~some:(is_light lights index) in
+    Tally.show tally (Toward_emitter { emitter = e.place; seen })
+  in
+  Option.iter of_emitter (List.nth_opt (Area_lights.emitters lights) index)
+
 let estimate ?veil lights (tracer : Tracer.t) : estimate =
   let veiled = veiled veil in
   fun tally path (r : Receiver.t) ->
@@ -31,8 +41,10 @@ let estimate ?veil lights (tracer : Tracer.t) : estimate =
         else
           let ray = r.spawn (direction :> Vec.t) in
           Tally.count tally Emitter_rays;
-          match tracer.nearest tally path ray with
-          | Some hit when Area_lights.index lights hit.path = Some index ->
+          let hit = tracer.nearest tally path ray in
+          if Tally.watched tally then show lights tally index hit;
+          match hit with
+          | Some hit when is_light lights index hit ->
               let light =
                 veiled path r.vantage.from hit.point (Emission.radiance hit)
               and share = Receiver.power density (r.density direction) in

@@ -66,7 +66,8 @@ let rec first_ray (events : Event.t list) =
         | Leave { radiance = brought } :: rest ->
             let own = List.rev own and within = List.rev within in
             ({ kind; throughput; own; within; brought }, rest)
-        | ((Met _ | Met_nothing | Shadow _ | Faces_away _ | Cut _ | Term _) as e)
+        | (( Met _ | Met_nothing | Shadow _ | Toward_emitter _ | Faces_away _
+           | Cut _ | Term _ ) as e)
           :: rest ->
             go (e :: own) within rest
       in
@@ -90,7 +91,9 @@ let nested w =
 let met (e : Event.t) =
   match e with
   | Met _ | Met_nothing -> true
-  | Enter _ | Shadow _ | Faces_away _ | Cut _ | Term _ | Leave _ -> false
+  | Enter _ | Shadow _ | Toward_emitter _ | Faces_away _ | Cut _ | Term _
+  | Leave _ ->
+      false
 
 (* First of all a ray meets something or nothing, and after nothing it ends. *)
 let meets_once ray =

@@ -26,6 +26,7 @@ let word : Event.t -> string = function
   | Met h -> "met " ^ String.concat "." (List.map string_of_int h.path)
   | Met_nothing -> "met nothing"
   | Shadow { blocked; _ } -> if blocked then "blocked" else "free"
+  | Toward_emitter { seen; _ } -> if seen then "lamp met" else "lamp not met"
   | Faces_away _ -> "faces away"
   | Cut Depth -> "cut by depth"
   | Cut Weight -> "cut by weight"
@@ -132,9 +133,32 @@ let depths (s : Scene.t) =
 
 let law name f = Law.law ~count:300 ~print:Drawn.show name (Drawn.scene Round) f
 
+(* A floor that faces a lamp, and one that something stands in front of. *)
+let lamps () =
+  let words more =
+    let scene =
+      Written.scene
+        ([
+           Written.flat_camera;
+           "(box (min -9 -9 -1) (max 9 9 0))";
+           "(sphere (center 0 0 9) (radius 1) (material (emitter (radiance \
+            1))))";
+         ]
+        @ more)
+    in
+    let _, events, _ = watched scene ahead in
+    List.map word events
+  in
+  let among w words = List.mem w words in
+  Alcotest.(check bool) "met" true (among "lamp met" (words []));
+  Alcotest.(check bool)
+    "hidden" true
+    (among "lamp not met" (words [ "(box (min -2 -2 6) (max 2 2 7))" ]))
+
 let suite =
   ( "radiance",
     [
+      Law.example "rays towards lamps are shown" lamps;
       Law.example "the events of a ray, in order, and its terms" events;
       Law.example "a ray that meets nothing brings the background" miss;
       law "watching changes nothing, and events agree with the counters"
