@@ -49,12 +49,8 @@ let span (fog : Scene.fog) (o : Point.t) (d : Dir.t) length =
 (* {1 On the way} *)
 
 let deflected (path : Path.t) (medium : Medium.t) point (along : Dir.t) =
-  let local =
-    Warp.henyey_greenstein_sample ~g:medium.anisotropy
-      (Path.pair path Deflection)
-  in
-  let toward = Warp.to_world (Frame.of_dir along) (local :> Vec.t) in
-  let density = Warp.henyey_greenstein ~g:medium.anisotropy along toward in
+  let toward = Medium.deflect medium along (Path.pair path Deflection) in
+  let density = Medium.phase medium along toward in
   let from : Area_lights.vantage =
     { from = point; departure = Nowhere; time = path.journey.time }
   in

@@ -1,6 +1,5 @@
 open Candor_space
 open Candor_colour
-open Candor_sample
 open Candor_surface
 open Candor_optics
 
@@ -35,7 +34,7 @@ let of_vertex (s : Scattering.t) ~goes_on
   }
 
 let in_medium (m : Medium.t) ~goes_on (path : Path.t) point ~along =
-  let density = Warp.henyey_greenstein ~g:m.anisotropy along in
+  let density = Medium.phase m along in
   {
     vantage = { from = point; departure = Nowhere; time = path.journey.time };
     spawn = Ray.v point;

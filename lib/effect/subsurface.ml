@@ -23,11 +23,7 @@ let onward (path : Path.t) (medium : Medium.t) weight point along =
   let next =
     { path with key; journey = { path.journey with arrival = Sharp } }
   in
-  let local =
-    Warp.henyey_greenstein_sample ~g:medium.anisotropy
-      (Path.pair next Deflection)
-  in
-  let toward = Warp.to_world (Frame.of_dir along) (local :> Vec.t) in
+  let toward = Medium.deflect medium along (Path.pair next Deflection) in
   let throughput = Rgb.mul path.throughput weight in
   ({ next with throughput }, Ray.v point (toward :> Vec.t))
 

@@ -1,4 +1,6 @@
+open Candor_space
 open Candor_colour
+open Candor_sample
 open Candor_scene
 
 type t = { extinction : Rgb.t; scattering : Rgb.t; anisotropy : float }
@@ -82,3 +84,11 @@ let sample_within m ~carried ~limit u =
     in
     let weight = Rgb.mul m.scattering (transmittance m s) in
     Some (s, Rgb.scale (1. /. density) weight)
+
+(* {1 Scattering} *)
+
+let phase m along d = Warp.henyey_greenstein ~g:m.anisotropy along d
+
+let deflect m along p =
+  let local = Warp.henyey_greenstein_sample ~g:m.anisotropy p in
+  Warp.to_world (Frame.of_dir along) (local :> Vec.t)

@@ -1,6 +1,8 @@
 (** Homogeneous media: what absorbs and scatters light on its way. *)
 
+open Candor_space
 open Candor_colour
+open Candor_sample
 open Candor_scene
 
 type t = {
@@ -42,3 +44,12 @@ val sample_within :
     be infinite, with scattering·transmittance over its density: the integral of
     what is scattered is the mean of what is found there, so weighted. [None]
     where nothing scatters. *)
+
+(** {1 Scattering} *)
+
+val phase : t -> Dir.t -> Dir.t -> float
+(** [phase m along d] is how densely light that travels along [along] is
+    scattered into [d], per steradian: {!Warp.henyey_greenstein}. *)
+
+val deflect : t -> Dir.t -> Pattern.position -> Dir.t
+(** [deflect m along p] is a direction of density [phase m along]. *)
