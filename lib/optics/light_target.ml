@@ -22,10 +22,11 @@ type visible =
 
 type t =
   | Ball of ball
+  | Ellipsoid of Ellipsoid_target.t
   | Cap of cap
   | Facets of { visible : visible; facets : facet list }
 
-type sample = { direction : Dir.t; density : float }
+type sample = Ellipsoid_target.sample = { direction : Dir.t; density : float }
 
 let full = 4. *. Float.pi
 
@@ -111,6 +112,15 @@ let box p visible (b : Bounds.t) =
     | None -> facets visible (made quads)
     | Some high -> facets All (made [ List.nth quads high ])
 
+let ellipsoid (p : Primitives.t) center radii =
+  let m =
+    match p.transform with
+    | None -> Affine.identity
+    | Some m -> (Transform.forward m).high
+  in
+  let center = placed p center in
+  Ellipsoid (Ellipsoid_target.make m ~center ~radii ~both:p.both_sides)
+
 let sphere (p : Primitives.t) s =
   match similarity p with
   | Some k ->
@@ -120,7 +130,9 @@ let sphere (p : Primitives.t) s =
           radius = k *. s.Sphere.radius;
           both = p.both_sides;
         }
-  | None -> box p Hull (Sphere.bounds s)
+  | None ->
+      let r = s.Sphere.radius in
+      ellipsoid p (Sphere.center s) (Vec.v r r r)
 
 (* A plane across an axis fills a rectangle of its box. *)
 let quadric_bounds q =
@@ -140,11 +152,20 @@ let quadric_bounds q =
     ->
       b
 
+let quadric p q =
+  match (Quadric.shape q, Quadric.clip q) with
+  | Ellipsoid { center; radii }, None -> ellipsoid p center radii
+  | ( ( Plane _ | Matrix _ | Form _ | Ellipsoid _ | Cylinder _ | Cone _
+      | Paraboloid _ | Hyperbolic_paraboloid _ | Hyperboloid_one_sheet _
+      | Hyperboloid_two_sheets _ ),
+      (Some _ | None) ) ->
+      box p Hull (quadric_bounds q)
+
 let of_primitive (p : Primitives.t) =
   match p.shape with
   | Sphere s -> sphere p s
   | Box b -> box p (if p.both_sides then Hull else Facing) (Box.bounds b)
-  | Quadric q -> box p Hull (quadric_bounds q)
+  | Quadric q -> quadric p q
   | Triangle { corners = { a; b; c }; _ } ->
       let a = placed p a and b = placed p b and c = placed p c in
       let visible = if p.both_sides then All else Facing in
@@ -160,7 +181,7 @@ let cap ~axis ~one_minus_cos t =
           radius;
           one_minus_cos;
         }
-  | Ball { both = true; _ } | Cap _ | Facets _ -> t
+  | Ball { both = true; _ } | Ellipsoid _ | Cap _ | Facets _ -> t
 
 (* {1 Balls} *)
 
@@ -328,12 +349,14 @@ let facets_density visible facets from (d : Dir.t) =
 let sample t ~from p =
   match t with
   | Ball ball -> sample_ball ball from p
+  | Ellipsoid e -> Ellipsoid_target.sample e ~from p
   | Cap cap -> sample_cap cap from p
   | Facets { visible; facets } -> sample_facets visible facets from p
 
 let density t ~from d =
   match t with
   | Ball ball -> ball_density ball from d
+  | Ellipsoid e -> Ellipsoid_target.density e ~from d
   | Cap cap -> cap_density cap from d
   | Facets { visible; facets } -> facets_density visible facets from d
 
@@ -341,6 +364,7 @@ let solid_angle t ~from =
   match t with
   | Ball ball ->
       2. *. Float.pi *. ball_cone ball (Vec.norm (Point.sub ball.center from))
+  | Ellipsoid e -> Ellipsoid_target.solid_angle e ~from
   | Cap cap -> cap_solid_angle cap from
   | Facets { visible; facets } -> facets_solid_angle visible facets from
 
@@ -349,6 +373,7 @@ let facet_area { a; b; c; _ } =
 
 let area = function
   | Ball { radius; _ } -> full *. radius *. radius
+  | Ellipsoid e -> Ellipsoid_target.area e
   | Cap cap -> cap_area cap
   | Facets { facets; _ } ->
       List.fold_left (fun sum f -> sum +. facet_area f) 0. facets
@@ -360,10 +385,11 @@ let around center r =
 
 let corners = function
   | Ball { center; radius; _ } -> around center radius
+  | Ellipsoid e -> Ellipsoid_target.corners e
   | Cap { apex; radius; one_minus_cos; _ } ->
       around apex (radius *. sqrt (2. *. one_minus_cos))
   | Facets { facets; _ } -> List.concat_map (fun f -> [ f.a; f.b; f.c ]) facets
 
 let ball = function
   | Ball { center; radius; _ } -> Some (center, radius)
-  | Cap _ | Facets _ -> None
+  | Ellipsoid _ | Cap _ | Facets _ -> None

@@ -17,8 +17,10 @@ val of_primitive : Primitives.t -> t
     [p.both_sides] says:
     - a sphere, where its transform keeps it one: itself;
     - a triangle or a flat box: itself; a box: its faces;
-    - a sphere under another transform, or a quadric: the box around it (for a
-      plane across an axis, its rectangle), as transformed.
+    - a sphere under another transform, or an ellipsoid without a clip box:
+      itself, as {!Ellipsoid_target} has it;
+    - another quadric: the box around it (for a plane across an axis, its
+      rectangle), as transformed.
 
     Unbounded quadrics have no target: from nowhere is anything of theirs seen.
 *)
@@ -28,16 +30,17 @@ val cap : axis:Dir.t -> one_minus_cos:float -> t -> t
     only, where directions from its centre are within the angle of this cosine
     from [axis]; [one_minus_cos] in \]0;2\]. Of other targets it is [t]. *)
 
-type sample = {
+type sample = Ellipsoid_target.sample = {
   direction : Dir.t;
   density : float;  (** above 0, finite; [density t ~from direction] *)
 }
 
 val sample : t -> from:Point.t -> Pattern.position -> sample option
 (** [sample t ~from p] takes uniform [p] in \[0;1\[² to a direction to [t]:
-    uniform over all in which [t] is seen from its emitting side; for a {!cap},
-    towards points uniform over its area. From within a box that only stands for
-    what is in it, all directions are taken. [None] where nothing is seen. *)
+    uniform over all in which [t] is seen from its emitting side (for an
+    ellipsoid nearly so); for a {!cap}, towards points uniform over its area.
+    From within a box that only stands for what is in it, all directions are
+    taken. [None] where nothing is seen. *)
 
 val density : t -> from:Point.t -> Dir.t -> float
 (** [density t ~from d] is the density with which [sample t ~from] takes [d]; 0
@@ -50,7 +53,8 @@ val solid_angle : t -> from:Point.t -> float
     [sample] is [None], up to rounding. *)
 
 val area : t -> float
-(** [area t] is the area of the target, one side of it. *)
+(** [area t] is the area of the target, one side of it; for an ellipsoid up to
+    2/√3 of that. *)
 
 val corners : t -> Point.t list
 (** [corners t] are points whose convex hull holds the target. *)

@@ -77,7 +77,7 @@ let spreads () =
   spread ~cone:0.12 ~fine:32 "flat box" (target plate) (p 0. 2. 6.);
   spread ~cone:0.12 ~fine:32 "flat box, from below" (target plate)
     (p 0. 2. (-6.));
-  spread "ellipsoid" (target egg) (p 1. 2. 6.);
+  spread ~cone:0.12 ~fine:32 "ellipsoid" (target egg) (p 1. 2. 6.);
   spread ~wide:true "ellipsoid, from inside its box" (target egg)
     (p 0.9 1.9 0.4);
   spread ~cone:0.12 ~fine:32 "cap" small_cap (p 0.1 0.2 3.);
@@ -246,7 +246,8 @@ let somewhere (name, target, from, p) =
     | None -> angle = 0. || name = "cap"
     | Some { density; _ } ->
         angle > 0.
-        && (name = "cap" || Near.close ~within:1e-9 (density *. angle) 1.)
+        && (List.mem name [ "cap"; "ellipsoid"; "sphere, squeezed" ]
+           || Near.close ~within:1e-9 (density *. angle) 1.)
 
 let scaled k shape =
   let at (q : Point.t) = p (k *. q.x) (k *. q.y) (k *. q.z) in

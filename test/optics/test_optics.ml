@@ -5,6 +5,7 @@ let () =
       Test_area_lights.suite;
       Test_coat.suite;
       Test_colour_at.suite;
+      Test_ellipsoid_target.suite;
       Test_enclosure.suite;
       Test_gloss.suite;
       Test_illumination.suite;
