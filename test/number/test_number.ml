@@ -7,4 +7,8 @@ let () =
       Test_running_sum.suite;
       Test_running_variance.suite;
       Test_angle.suite;
+      Test_normal.suite;
+      Test_student.suite;
+      Test_chi_square.suite;
+      Test_binomial.suite;
     ]
