@@ -45,6 +45,21 @@ let depth_line plan =
         ("steps from surface to surface along one path at most: " ^ why)
   | Unbounded { why } -> line "depth" "none" why
 
+let left_out scene =
+  let of_surface (s : Scene.surface) =
+    match s.shape with
+    | Mesh { file; dropped; _ } when dropped > 0 ->
+        let says = "faces without area in " ^ file in
+        let place = Place.to_string s.place in
+        Some
+          (line "left out" (string_of_int dropped)
+             (Printf.sprintf "%s  [%s]" says place))
+    | Mesh _ | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _
+    | Use _ ->
+        None
+  in
+  List.filter_map of_surface (Assembly.surfaces_in_use scene)
+
 let finer plan scene : Effect.t -> string list = function
   | Shadows -> unshadowed plan scene
   | Emission | Ambient | Direct | Soft_shadows | Sky_light | Mirror | Refraction
@@ -59,6 +74,7 @@ let text plan scene =
   in
   List.concat_map (fun e -> on_lines plan e @ finer plan scene e) on
   @ [ depth_line plan ]
+  @ left_out scene
   @
   if off = [] then []
   else "off, since nothing in the scene asks for it:" :: List.map off_line off

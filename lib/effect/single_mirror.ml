@@ -6,7 +6,7 @@ open Candor_optics
 let is_single (s : Scene.surface) =
   match s.shape with
   | Sphere _ | Box _ | Triangle _ | Quadric _ -> true
-  | Polygon _ | Group _ | Use _ -> false
+  | Polygon _ | Mesh _ | Group _ | Use _ -> false
 
 let reflects scene surfaces =
   Assembly.materials_in_use { scene with Scene.surfaces }
@@ -71,5 +71,5 @@ let why (scene : Scene.t) =
           let b = Box.bounds b in
           if is_flat b then flat else convex b
       | Sphere s -> convex (Sphere.bounds s)
-      | Polygon _ | Group _ | Use _ -> None)
+      | Polygon _ | Mesh _ | Group _ | Use _ -> None)
   | Some _ | None -> None

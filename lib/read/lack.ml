@@ -43,8 +43,9 @@ let is_of ~grouped (shape : Scene.shape) lack =
   | Uv, Quadric q -> not (has_uv q)
   | Inside, Box b -> not (is_thick b)
   | Inside, (Triangle _ | Polygon _) -> not grouped
-  | Inside, (Sphere _ | Group _ | Use _)
-  | (Bounds | Uv), (Sphere _ | Box _ | Triangle _ | Polygon _ | Group _ | Use _)
+  | Inside, (Sphere _ | Mesh _ | Group _ | Use _)
+  | ( (Bounds | Uv),
+      (Sphere _ | Box _ | Triangle _ | Polygon _ | Mesh _ | Group _ | Use _) )
     ->
       false
 
@@ -82,7 +83,7 @@ let advice lack (shape : Scene.shape) =
     when Option.is_none (Quadric.clip q)
          && Option.is_some (Quadric_shape.ends (Quadric.shape q)) ->
       "add (caps)"
-  | Inside, (Sphere _ | Box _ | Quadric _ | Group _ | Use _) ->
+  | Inside, (Sphere _ | Box _ | Quadric _ | Mesh _ | Group _ | Use _) ->
       "closed are spheres, boxes that are not flat, and ellipsoids, cylinders, \
        cones and paraboloids with (caps) and without (clip ...)"
   | Uv, _ -> "of quadrics, planes, cylinders, cones and paraboloids have"

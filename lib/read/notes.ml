@@ -30,6 +30,7 @@ type book = {
   mutable materials : mention Names.t;
   mutable definitions : mention Names.t;
   mutable pictures : (Texels.t, string) result Names.t;
+  mutable meshes : (Faces.t, string) result Names.t;
 }
 
 type t = { book : book; source : Source.t }
@@ -47,6 +48,7 @@ let make () =
       materials = Names.empty;
       definitions = Names.empty;
       pictures = Names.empty;
+      meshes = Names.empty;
     }
   in
   { book; source = Source.of_string ~name:"" "" }
@@ -121,6 +123,14 @@ let picture n key load =
       let picture = load () in
       n.book.pictures <- Names.add key picture n.book.pictures;
       picture
+
+let mesh n key load =
+  match Names.find_opt key n.book.meshes with
+  | Some mesh -> mesh
+  | None ->
+      let mesh = load () in
+      n.book.meshes <- Names.add key mesh n.book.meshes;
+      mesh
 
 let noun = function Material -> "material" | Definition -> "definition"
 

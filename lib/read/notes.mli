@@ -64,6 +64,10 @@ val picture :
 (** [picture n key load] is [load ()], the same for all that ask with this
     [key]: a file is read once however often a scene names it. *)
 
+val mesh :
+  t -> string -> (unit -> (Faces.t, string) result) -> (Faces.t, string) result
+(** [mesh n key load] is [load ()] likewise. *)
+
 val report : t -> Error.report
 (** [report n] is all errors by place, files in the order of their reading, the
     same error in a file that was read twice only once. Beyond the first

@@ -4,27 +4,6 @@ open Candor_scene
 
 let ( let* ) = Result.bind
 
-let explain = function
-  | Unix.ENOENT -> "there is no such file"
-  | Unix.EACCES -> "you may not read this file"
-  | error ->
-      "cannot be read: " ^ String.uncapitalize_ascii (Unix.error_message error)
-
-(* Anything but a regular file could go on forever. *)
-let contents path =
-  match
-    Unix.access path [ R_OK ];
-    (Unix.stat path).st_kind
-  with
-  | exception Unix.Unix_error (error, _, _) -> Error (explain error)
-  | S_DIR -> Error "this is a folder, not a picture"
-  | S_CHR | S_BLK | S_LNK | S_FIFO | S_SOCK ->
-      Error "this is not a regular file"
-  | S_REG -> (
-      match In_channel.with_open_bin path In_channel.input_all with
-      | text -> Ok text
-      | exception Sys_error why -> Error ("cannot be read: " ^ why))
-
 (* sRGB's transfer function, from [0;1] to [0;1]. *)
 let linear c =
   if c <= 0.04045 then c /. 12.92
@@ -85,7 +64,7 @@ let check_values limit demand texels =
 
 let load_within limit demand path =
   let* (_ : Picture_file.format) = Picture_file.format_of_name path in
-  let* file = contents path in
+  let* file = Contents.of_file ~what:"a picture" path in
   let* content = Picture_file.decode file in
   let texels = of_content content in
   let* () = check_size texels in

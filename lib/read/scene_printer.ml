@@ -244,6 +244,7 @@ let rec surface (s : Scene.surface) =
   | Quadric q -> form "quadric" (quadric q)
   | Polygon p ->
       form "polygon" (List.map (fun p -> tuple (coordinates p)) p.corners)
+  | Mesh { file; _ } -> form "mesh" [ atom file ]
   | Group { transform = steps; surfaces } ->
       form "group" (transform steps @ List.map surface surfaces)
   | Use { transform = steps; name } -> form "use" (atom name :: transform steps)

@@ -132,7 +132,8 @@ and lacking_among t surfaces =
     | Some _, _ -> []
     | None, Group { surfaces; _ } -> lacking_among t surfaces
     | None, Use { name; _ } -> lacking t name
-    | None, (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _) -> [ s ]
+    | None, (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _) ->
+        [ s ]
   in
   first_for_each (List.concat_map parts surfaces)
 
@@ -162,7 +163,7 @@ let rec surface t ~grouped around (s : Scene.surface) =
   check_motion t s;
   let given = match s.material with None -> around | Some _ -> own t s in
   match s.shape with
-  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ ->
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ ->
       Option.iter (fun given -> check_lacks t ~grouped given s) given
   | Group { surfaces; _ } -> List.iter (surface t ~grouped:true given) surfaces
   | Use { name; _ } ->

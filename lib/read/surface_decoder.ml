@@ -67,6 +67,8 @@ let use =
       attributes (Scene.Use { transform; name }))
   |> placed
 
+let mesh = Mesh_decoder.mesh (fields attributes) |> placed
+
 let cases_of any =
   let grouped (transform, surfaces) = Scene.Group { transform; surfaces } in
   [
@@ -75,12 +77,12 @@ let cases_of any =
     ("triangle", surface (fun s -> Scene.Triangle s) triangle);
     ("quadric", surface (fun s -> Scene.Quadric s) Quadric_decoder.quadric);
     ("polygon", surface (fun s -> Scene.Polygon s) polygon);
+    ("mesh", mesh);
     ("group", surface grouped (group any));
     ("use", use);
   ]
 
-let unbuilt = [ "mesh" ]
-let any = fix (fun any -> choice "surface" ~later:unbuilt (cases_of any))
+let any = fix (fun any -> choice "surface" (cases_of any))
 let cases = cases_of any
 
 let definition =

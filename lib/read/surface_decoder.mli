@@ -6,8 +6,5 @@ open Decode
 val cases : (string * Scene.surface body) list
 (** [cases] is what each kind of surface reads like, by its head. *)
 
-val unbuilt : string list
-(** [unbuilt] is the heads of surfaces that are not supported yet. *)
-
 val definition : (string * Span.t * Scene.surface list option) body
 (** [definition] is [NAME surface...], at least one. *)

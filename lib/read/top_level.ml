@@ -122,7 +122,7 @@ let inclusion include_ =
       Option.map add (read_body file notes form))
 
 let form ~include_ =
-  choice "form" ~later:Surface_decoder.unbuilt
+  choice "form"
     ([
        ("image", once Setting_decoder.image (fun image t -> { t with image }));
        ( "camera",
@@ -150,7 +150,7 @@ let form ~include_ =
 
 let rec uses used (s : Scene.surface) =
   match s.shape with
-  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ -> used
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ -> used
   | Use { name; _ } -> name :: used
   | Group { surfaces; _ } -> List.fold_left uses used surfaces
 

@@ -55,6 +55,9 @@ let surface ?math ~dress (scene : Scene.t) =
     | Polygon { triangles; _ } ->
         let part x = Surface.triangle x skin in
         Surface.group ?math (Array.of_list (List.map part triangles))
+    | Mesh { triangles; _ } ->
+        let part x = Surface.triangle x skin in
+        Surface.group ?math (Array.map part triangles)
     | Group { transform = steps; surfaces } ->
         Surface.seen_through ?transform:(transform steps)
           (all inherited both surfaces)
@@ -101,7 +104,7 @@ let materials_in_use (scene : Scene.t) =
         if not (Hashtbl.mem entered (name, inherited)) then (
           Hashtbl.add entered (name, inherited) ();
           List.iter (one inherited) (defined definitions name))
-    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ ->
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ ->
         if not (Hashtbl.mem met inherited) then (
           Hashtbl.add met inherited ();
           uses := use_of materials s.place inherited :: !uses)
@@ -121,7 +124,7 @@ let surfaces_in_use (scene : Scene.t) =
         if not (Hashtbl.mem entered name) then (
           Hashtbl.add entered name ();
           List.iter one (defined definitions name))
-    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ -> ()
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ -> ()
   in
   List.iter one scene.surfaces;
   List.rev !met

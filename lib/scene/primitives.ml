@@ -90,6 +90,9 @@ let of_scene ?(uses = true) ~keep (scene : Scene.t) =
     | Polygon { triangles; _ } ->
         let part i x = primitive [ index; i ] (Triangle x) in
         List.concat (List.mapi part triangles)
+    | Mesh { triangles; _ } ->
+        let part i x = primitive [ index; i ] (Triangle x) in
+        List.concat (List.mapi part (Array.to_list triangles))
     | Group { transform; surfaces } -> moved transform (all inherited surfaces)
     | Use { transform; name } ->
         if uses then moved transform (definition inherited name) else []

@@ -36,6 +36,11 @@ and shape =
   | Triangle of Triangle.t
   | Quadric of Quadric.t
   | Polygon of Polygon.t
+  | Mesh of {
+      file : string;
+      triangles : (Triangle.t array[@opaque]);
+      dropped : int;
+    }
   | Group of { transform : Transform.step list; surfaces : surface list }
   | Use of { transform : Transform.step list; name : string }
 [@@deriving show, eq]
@@ -84,8 +89,8 @@ let is_still s = Vec.equal s.motion Vec.zero
 let rec forget_surface (s : surface) =
   let shape =
     match s.shape with
-    | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Use _) as shape
-      ->
+    | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _)
+      as shape ->
         shape
     | Group { transform; surfaces } ->
         Group { transform; surfaces = List.map forget_surface surfaces }

@@ -51,6 +51,12 @@ and shape =
   | Triangle of Triangle.t
   | Quadric of Quadric.t
   | Polygon of Polygon.t
+  | Mesh of {
+      file : string;  (** the name as written *)
+      triangles : (Triangle.t array[@opaque]);
+          (** its members, shown as nothing much *)
+      dropped : int;  (** faces of the file left out, for they have no area *)
+    }
   | Group of { transform : Transform.step list; surfaces : surface list }
   | Use of { transform : Transform.step list; name : string }
       (** one of the scene's [definitions] *)

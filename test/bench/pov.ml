@@ -65,7 +65,7 @@ let rec surface b scene inherited (s : Scene.surface) =
         (point (Bounds.high bounds))
         (texture m)
   | Group { transform = []; surfaces } -> List.iter (surface b scene m) surfaces
-  | Triangle _ | Quadric _ | Polygon _ | Group _ | Use _ ->
+  | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Group _ | Use _ ->
       prerr_endline "bench: a surface that was not translated for POV-Ray"
 
 let light b (l : Light.t) =

@@ -56,6 +56,11 @@ let texts () =
   mentions r.out
     "mirror         on   surfaces reflect what is in front of them; nothing \
      asks for it (--all-effects)";
+  write "a.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\nf 1 1 3\n";
+  write "m.scene"
+    "(scene (camera (panorama (eye 0 0 5) (look-at 0 0 0)))\n (mesh a.obj))";
+  mentions (fine [ "explain"; "m.scene" ]).out
+    "left out       2    faces without area in a.obj  [m.scene:2:2]";
   mentions (fine [ "explain"; "s.scene"; "--depth"; "3" ]).out
     "depth          3 "
 

@@ -273,7 +273,7 @@ let rec paint ~indirect ~names r (s : Scene.surface) : Scene.surface =
       let surfaces = List.map (paint ~indirect ~names r) surfaces in
       { s with shape = Group { transform; surfaces }; material = chosen }
   | Use _ -> { s with material = chosen }
-  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _) as shape ->
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _) as shape ->
       let lacks = List.filter (Lack.is_of ~grouped:false shape) Lack.all in
       let own = material r in
       let suits = not (List.exists (Lack.is_minded_by own) lacks) in

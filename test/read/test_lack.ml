@@ -22,6 +22,11 @@ let simple () =
   check ~grouped:true "(triangle (0 0 0) (1 0 0) (0 1 0))" [];
   check "(polygon (0 0 0) (1 0 0) (0 1 0))" [ "inside" ];
   check ~grouped:true "(polygon (0 0 0) (1 0 0) (0 1 0))" [];
+  Files.with_folder (fun folder ->
+      let path =
+        Files.write folder "a.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"
+      in
+      check (Printf.sprintf "(mesh %S)" path) []);
   check "(group (triangle (0 0 0) (1 0 0) (0 1 0)))" []
 
 let quadrics () =

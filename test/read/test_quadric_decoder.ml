@@ -5,7 +5,7 @@ open Text
 let read body =
   match (only_surface (Printf.sprintf "(quadric %s)" body)).shape with
   | Quadric q -> q
-  | Group _ | Sphere _ | Box _ | Triangle _ | Polygon _ | Use _ ->
+  | Mesh _ | Group _ | Sphere _ | Box _ | Triangle _ | Polygon _ | Use _ ->
       Alcotest.fail "not a quadric"
 
 let check s shape =

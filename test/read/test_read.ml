@@ -21,6 +21,7 @@ let () =
       Test_quantity.suite;
       Test_words.suite;
       Test_geometry_decoder.suite;
+      Test_contents.suite;
       Test_picture_decoder.suite;
       Test_colour_decoder.suite;
       Test_setting_decoder.suite;
@@ -29,6 +30,11 @@ let () =
       Test_material_decoder.suite;
       Test_transform_decoder.suite;
       Test_quadric_decoder.suite;
+      Test_faces.suite;
+      Test_mesh_text.suite;
+      Test_obj.suite;
+      Test_ply.suite;
+      Test_mesh_decoder.suite;
       Test_surface_decoder.suite;
       Test_top_level.suite;
       Test_cycles.suite;

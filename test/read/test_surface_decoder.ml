@@ -11,7 +11,7 @@ let sphere () =
       Alcotest.(check bool)
         "sphere" true
         (Point.equal (Sphere.center s) (Point.v 1. 2. 3.) && s.radius = 0.25)
-  | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Use _ ->
+  | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ ->
       Alcotest.fail "not a sphere"
 
 let box () =
@@ -22,13 +22,13 @@ let box () =
         (Bounds.equal
            (b :> Bounds.t)
            (Bounds.v (Point.v 1. 2. 3.) (Point.v 4. 5. 3.)))
-  | Sphere _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Use _ ->
+  | Sphere _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ ->
       Alcotest.fail "not a box"
 
 let triangle forms =
   match shape forms with
   | Triangle t -> t
-  | Sphere _ | Box _ | Quadric _ | Polygon _ | Group _ | Use _ ->
+  | Sphere _ | Box _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ ->
       Alcotest.fail "not a triangle"
 
 let triangles () =
@@ -59,7 +59,7 @@ let triangles () =
 let polygon () =
   match shape "(polygon (0 0 0) (2 0 0) (1 0 1) (0 0 2))" with
   | Polygon p -> Alcotest.(check int) "corners" 4 (List.length p.corners)
-  | Sphere _ | Box _ | Triangle _ | Quadric _ | Group _ | Use _ ->
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Group _ | Mesh _ | Use _ ->
       Alcotest.fail "not a polygon"
 
 let group () =

@@ -6,5 +6,6 @@ let () =
       Test_pictures.suite;
       Test_laws.suite;
       Test_scenes.suite;
+      Test_meshes.suite;
       Test_hard.suite;
     ]

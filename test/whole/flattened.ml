@@ -19,6 +19,9 @@ let rec one (scene : Scene.t) path around (s : Scene.surface) =
       [ { path = List.rev path; alone } ]
   | Polygon { triangles; _ } ->
       inside [] (List.map (fun x -> { s with shape = Triangle x }) triangles)
+  | Mesh { triangles; _ } ->
+      let part x = { s with shape = Triangle x } in
+      inside [] (List.map part (Array.to_list triangles))
   | Group { transform; surfaces } -> inside transform surfaces
   | Use { transform; name } ->
       let named (d : _ Scene.named) = String.equal d.name name in

@@ -50,6 +50,9 @@ let rec surface f g (s : Scene.surface) : Scene.surface =
     | Quadric x -> f (Quadric (mirrorable x))
     | Polygon p ->
         Group { transform = []; surfaces = all f g (triangles p.triangles) }
+    | Mesh { triangles = parts; _ } ->
+        let surfaces = all f g (triangles (Array.to_list parts)) in
+        Group { transform = []; surfaces }
     | Group { transform; surfaces } ->
         Group { transform = List.map g transform; surfaces = all f g surfaces }
     | Use { transform; name } -> Use { transform = List.map g transform; name }

@@ -63,6 +63,11 @@ let first (scene : Scene.t) ray =
           met (i :: path) best (Exact_triangle.truth_along x line)
         in
         List.fold_left part best (List.mapi (fun i x -> (i, x)) triangles)
+    | Mesh { triangles; _ } ->
+        let part best (i, x) =
+          met (i :: path) best (Exact_triangle.truth_along x line)
+        in
+        Seq.fold_left part best (Array.to_seqi triangles)
     | Group { transform; surfaces } ->
         all path (into transform line) best surfaces
     | Use { transform; name } ->

@@ -110,6 +110,11 @@ let rec surface k (s : Scene.surface) : Scene.surface =
     | Quadric x -> Quadric (quadric k x)
     | Polygon { corners; _ } ->
         Polygon (valid (Polygon.make (List.map (point k) corners)))
+    | Mesh { triangles; _ } ->
+        (* No file holds the new corners: it prints as what it means. *)
+        let part x = Scene.plain (Triangle (triangle k x)) s.place in
+        let surfaces = List.map part (Array.to_list triangles) in
+        Group { transform = []; surfaces }
     | Group { transform; surfaces } ->
         Group
           {
