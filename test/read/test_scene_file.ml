@@ -74,7 +74,8 @@ let includes () =
           let x (s : Scene.surface) =
             match s.shape with
             | Sphere s -> s.x
-            | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ ->
+            | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _
+            | Use _ ->
                 nan
           in
           Alcotest.(check (list (float 0.)))

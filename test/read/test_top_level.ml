@@ -58,7 +58,8 @@ let order () =
   let x i (s : Scene.surface) =
     match s.shape with
     | Sphere s -> s.x = float_of_int i
-    | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ -> false
+    | Box _ | Triangle _ | Quadric _ | Polygon _ | Group _ | Mesh _ | Use _ ->
+        false
   in
   Alcotest.(check bool)
     "order" true

@@ -6,7 +6,8 @@ let read steps =
     (only_surface (Printf.sprintf "(group (transform %s))" steps)).shape
   with
   | Group { transform; surfaces = [] } -> transform
-  | Mesh _ | Group _ | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Use _ ->
+  | Mesh _ | Group _ | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _
+  | Use _ ->
       Alcotest.fail "not an empty group"
 
 let check s steps =

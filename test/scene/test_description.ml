@@ -14,7 +14,8 @@ let rec placeless (s : Scene.surface) =
   let inside =
     match s.shape with
     | Group { surfaces; _ } -> List.for_all placeless surfaces
-    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _ -> true
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _ ->
+        true
   in
   Place.equal s.place Place.unknown && inside
 

@@ -43,7 +43,8 @@ let rec shuffled ~emits state surfaces =
           s with
           shape = Group { g with surfaces = shuffled ~emits state g.surfaces };
         }
-    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _ -> s
+    | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _ ->
+        s
   in
   let mixed =
     List.map (fun s -> (Random.State.bits state, inner s)) surfaces
@@ -73,7 +74,8 @@ let may_emit (scene : Scene.t) (s : Scene.surface) =
   | (Group _ | Use _), _ -> true
   | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _), Some m ->
       material m
-  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _), None -> true
+  | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _), None ->
+      true
 
 let any_order ~emits (s : Scene.t) =
   let shuffled = shuffled ~emits:(emits s) in
@@ -137,7 +139,8 @@ let inlined (s : Scene.t) =
             List.find (fun (d : _ Scene.named) -> d.name = name) s.definitions
           in
           Group { transform; surfaces = List.map surface d.value }
-      | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _) as shape ->
+      | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _) as
+        shape ->
           shape
     in
     { x with shape; material = Option.map material x.material }

@@ -94,8 +94,8 @@ let rec surface ~indirect (s : Scene.surface) =
     | Group { transform; surfaces = members } ->
         let+ surfaces = surfaces ~indirect members in
         Scene.Group { transform; surfaces }
-    | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _) as shape
-      ->
+    | (Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _)
+      as shape ->
         pure shape
   in
   let lacks =
