@@ -54,7 +54,7 @@ and shape =
   | Mesh of {
       file : string;  (** the name as written *)
       triangles : (Triangle.t array[@opaque]);
-          (** its members, shown as nothing much *)
+          (** its members in order; not shown *)
       dropped : int;  (** faces of the file left out, for they have no area *)
     }
   | Group of { transform : Transform.step list; surfaces : surface list }
