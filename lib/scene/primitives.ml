@@ -51,6 +51,7 @@ let from_outside (s : Scene.surface) index transform p =
     p with
     transform = after transform p.transform;
     velocity = Vec.add s.motion (turned transform p.velocity);
+    both_sides = s.both_sides || p.both_sides;
     path = index :: p.path;
   }
 

@@ -118,7 +118,10 @@ let scenes =
         (group
            ~transform:[ Scale (Vec.v 1. 2. 1.); Translate (Vec.v 5. 0. 0.) ]
            [ moving (Vec.v 1. 0. 0.) (use ~transform:[ turn ] "pair") ]);
-      glowing 2. (use ~transform:(shift (-7.)) "nest");
+      {
+        (glowing 2. (use ~transform:(shift (-7.)) "nest")) with
+        both_sides = true;
+      };
     ]
 
 (* Where the middle of a ball in the world is at a time. *)
