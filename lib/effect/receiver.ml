@@ -33,6 +33,13 @@ let of_vertex (s : Scattering.t) ~goes_on
     density = (if goes_on then density else nowhere);
   }
 
+let lit (scattering : Scattering.t) ~goes_on estimate : Term.t =
+ fun _ tally vertex ->
+  if scattering.is_black vertex.lobes then Rgb.black
+  else
+    let goes_on = goes_on vertex in
+    estimate tally vertex.path (of_vertex scattering ~goes_on vertex)
+
 let in_medium (m : Medium.t) ~goes_on (path : Path.t) point ~along =
   let density = Medium.phase m along in
   {

@@ -21,6 +21,14 @@ val of_vertex : Scattering.t -> goes_on:bool -> Term.vertex -> t
 (** [of_vertex s ~goes_on v] is the surface met at [v], where paths go on as [s]
     samples directions iff [goes_on]. *)
 
+val lit :
+  Scattering.t ->
+  goes_on:(Term.vertex -> bool) ->
+  (Tally.t -> Path.t -> t -> Rgb.t) ->
+  Term.t
+(** [lit s ~goes_on estimate] is the term of light that [estimate] finds to fall
+    on surfaces, where [s] shows any; [goes_on] as in {!of_vertex}. *)
+
 val in_medium :
   Medium.t -> goes_on:bool -> Path.t -> Point.t -> along:Dir.t -> t
 (** [in_medium m ~goes_on path p ~along] is a point of [m], where light that

@@ -49,12 +49,7 @@ let weigh sky (path : Path.t) d =
   | Spread { density; _ }, Some d ->
       Receiver.power density (Sampled_sky.density sky d)
 
-let term (scattering : Scattering.t) ~goes_on estimate : Term.t =
- fun _ tally vertex ->
-  if scattering.is_black vertex.lobes then Rgb.black
-  else
-    let goes_on = goes_on vertex in
-    estimate tally vertex.path (Receiver.of_vertex scattering ~goes_on vertex)
+let term = Receiver.lit
 
 let radiance (scene : Scene.t) sky : Path.t -> Vec.t -> Rgb.t =
   let seen = Sky.compile scene.background in

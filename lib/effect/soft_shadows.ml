@@ -64,9 +64,4 @@ let weigh lights (path : Path.t) (hit : Tracer.hit) =
               Receiver.power density
                 (Area_lights.density lights from ~index toward)))
 
-let term (scattering : Scattering.t) ~goes_on estimate : Term.t =
- fun _ tally vertex ->
-  if scattering.is_black vertex.lobes then Rgb.black
-  else
-    let goes_on = goes_on vertex in
-    estimate tally vertex.path (Receiver.of_vertex scattering ~goes_on vertex)
+let term = Receiver.lit
