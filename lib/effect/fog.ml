@@ -51,10 +51,7 @@ let span (fog : Scene.fog) (o : Point.t) (d : Dir.t) length =
 let deflected (path : Path.t) (medium : Medium.t) point (along : Dir.t) =
   let toward = Medium.deflect medium along (Path.pair path Deflection) in
   let density = Medium.phase medium along toward in
-  let from : Area_lights.vantage =
-    { from = point; departure = Nowhere; time = path.journey.time }
-  in
-  (toward, Path.Spread { density; from })
+  (toward, Path.Spread { density; from = Receiver.in_space path point })
 
 (* Whether a path that is scattered may meet lights by itself. *)
 let goes_on (limit : Limit.t) (path : Path.t) =

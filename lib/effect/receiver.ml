@@ -17,6 +17,9 @@ let vantage ({ hit; path; _ } : Term.vertex) : Area_lights.vantage =
   let departure = Ray.Surface { path = place; part; side } in
   { from = Hit.lit_point hit; departure; time = path.journey.time }
 
+let in_space (path : Path.t) point : Area_lights.vantage =
+  { from = point; departure = Nowhere; time = path.journey.time }
+
 let of_vertex (s : Scattering.t) ~goes_on
     ({ hit; view; lobes; _ } as vertex : Term.vertex) =
   let normal = hit.shading_normal in
@@ -43,7 +46,7 @@ let lit (scattering : Scattering.t) ~goes_on estimate : Term.t =
 let in_medium (m : Medium.t) ~goes_on (path : Path.t) point ~along =
   let density = Medium.phase m along in
   {
-    vantage = { from = point; departure = Nowhere; time = path.journey.time };
+    vantage = in_space path point;
     spawn = Ray.v point;
     respond = (fun toward -> Rgb.grey (density toward));
     density = (if goes_on then density else nowhere);

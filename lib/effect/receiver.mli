@@ -17,6 +17,9 @@ type t = {
 val vantage : Term.vertex -> Area_lights.vantage
 (** [vantage v] is the place of [v]. *)
 
+val in_space : Path.t -> Point.t -> Area_lights.vantage
+(** [in_space path p] is [p], on no surface, at the time of [path]. *)
+
 val of_vertex : Scattering.t -> goes_on:bool -> Term.vertex -> t
 (** [of_vertex s ~goes_on v] is the surface met at [v], where paths go on as [s]
     samples directions iff [goes_on]. *)

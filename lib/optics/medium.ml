@@ -53,7 +53,7 @@ let colour { Rgb.r; g; b } (c : Rgb.t) u =
 let sample m ~carried ~limit u =
   let shares = shares carried in
   let rate, u = colour shares m.extinction u in
-  let distance = if rate = 0. then infinity else -.Float.log1p (-.u) /. rate in
+  let distance = if rate = 0. then infinity else Warp.exponential ~rate u in
   if distance < limit then
     let t = transmittance m distance in
     let density = sum (Rgb.mul shares (Rgb.mul m.extinction t)) in
@@ -76,7 +76,7 @@ let sample_within m ~carried ~limit u =
   else if rate = 0. then Some (0., Rgb.black)
   else
     let share = -.Float.expm1 (-.rate *. limit) in
-    let s = -.Float.log1p (-.u *. share) /. rate in
+    let s = Warp.exponential ~rate (u *. share) in
     let density =
       (shares.r *. density_within e.r s limit)
       +. (shares.g *. density_within e.g s limit)

@@ -33,14 +33,6 @@ let disk p =
   let { radius; angle } = concentric p in
   Vec.v (radius *. cos angle) (radius *. sin angle) 0.
 
-let triangle { Pattern.u; v } =
-  if v > u then
-    let u = 0.5 *. u in
-    { Pattern.u; v = v -. u }
-  else
-    let v = 0.5 *. v in
-    { u = u -. v; v }
-
 let cosine_hemisphere p =
   let { radius = r; angle } = concentric p in
   let z = sqrt ((1. -. r) *. (1. +. r)) in
@@ -89,11 +81,3 @@ let henyey_greenstein_sample ~g { Pattern.u; v } =
 
 let[@inline] exponential ~rate u = -.Float.log1p (-.u) /. rate
 let[@inline] exponential_density ~rate t = rate *. exp (-.(rate *. t))
-
-let linear a b u =
-  let a = a /. (a +. b) and b = b /. (a +. b) in
-  let root = sqrt (((1. -. u) *. a *. a) +. (u *. b *. b)) in
-  if u = 0. then 0. else Float.min (u /. (a +. root)) (Float.pred 1.)
-
-let[@inline] linear_density a b x =
-  2. *. (((1. -. x) *. a) +. (x *. b)) /. (a +. b)

@@ -25,12 +25,6 @@ val disk : Pattern.position -> Vec.t
     {e A Low Distortion Map Between Disk and Square}, Journal of Graphics Tools
     2(3), 1997. *)
 
-val triangle : Pattern.position -> Pattern.position
-(** [triangle p] is a place in a triangle, of density 1/area: [u] is the weight
-    of its second corner, [v] that of its third, and what is left of 1 that of
-    the first; none is negative. After E. Heitz,
-    {e A Low-Distortion Map Between Triangle and Square}, 2019. *)
-
 (** {1 Directions} *)
 
 val cosine_hemisphere : Pattern.position -> Dir.t
@@ -82,13 +76,3 @@ val exponential : rate:float -> float -> float
 
 val exponential_density : rate:float -> float -> float
 (** [exponential_density ~rate t] is rate·exp(−rate·t). *)
-
-val linear : float -> float -> float -> float
-(** [linear a b u] is a number in \[0;1\[ of density [linear_density a b], for
-    [a, b ≥ 0] not both 0. It is the root of the quadratic distribution function
-    in the form that does not cancel: M. Pharr, W. Jakob, G. Humphreys,
-    {e Physically Based Rendering}, 4th edition, 2023. *)
-
-val linear_density : float -> float -> float -> float
-(** [linear_density a b x] is the density on \[0;1\] that runs straight from
-    2a/(a+b) to 2b/(a+b). *)

@@ -18,20 +18,6 @@ let discs () =
   in
   Chi_square.(even "the disk" (count (16 * Agreement.sectors) 100_000 bin))
 
-(* The square of the weight of a corner is uniform if 1 minus it is not: areas
-   cut off parallel to a side go with the square. All nine parts of a triangle
-   cut in three both ways are as likely. *)
-let triangles () =
-  let part i =
-    let { Pattern.u; v } = Warp.triangle (Agreement.position i) in
-    let cut w = int_of_float (3. *. w) in
-    (9 * cut (1. -. u -. v)) + (3 * cut u) + cut v
-  in
-  let counts = Chi_square.count 27 100_000 part in
-  let taken = List.filter (fun n -> n > 0) (Array.to_list counts) in
-  Alcotest.(check int) "parts" 9 (List.length taken);
-  Chi_square.even "the triangle" (Array.of_list taken)
-
 let hemispheres () =
   Agreement.sphere "cosine" spread ~sample:Warp.cosine_hemisphere
     ~density:(fun d -> Warp.cosine_hemisphere_density (z_of d))
@@ -114,17 +100,6 @@ let flights () =
         ~density:(Warp.exponential_density ~rate))
     [ 0x1p-40; 0.3; 7.; 1e30 ]
 
-let slopes () =
-  List.iter
-    (fun (a, b) ->
-      Agreement.line
-        (Printf.sprintf "%g..%g" a b)
-        (Agreement.steps 32 0. 1.) ~sample:(Warp.linear a b)
-        ~density:(Warp.linear_density a b))
-    [
-      (1., 1.); (0., 2.); (3., 0.); (1., 5.); (1e300, 1e290); (1., 1. +. 0x1p-52);
-    ]
-
 (* {1 Laws} *)
 
 let unit =
@@ -154,10 +129,6 @@ let hemisphere_law p =
 let disk_law p =
   let d = Warp.disk p in
   d.z = 0. && Vec.norm d <= 1.
-
-let triangle_law p =
-  let { Pattern.u; v } = Warp.triangle p in
-  u >= 0. && v >= 0. && u +. v <= 1.
 
 let width =
   Gen.oneof
@@ -207,18 +178,6 @@ let flight_law (rate, { Pattern.u; _ }) =
      || near (u *. 0x1p-50) back u
         && Float.equal (Warp.exponential ~rate:(0.25 *. rate) u) (4. *. t))
 
-let weights =
-  let one = Gen.oneof [ Draw.wide (-20.) 20.; Gen.return 0. ] in
-  Gen.map
-    (fun (a, b) -> if a = 0. && b = 0. then (1., 0.) else (a, b))
-    (Gen.pair one one)
-
-let slope_law ((a, b), { Pattern.u; _ }) =
-  let x = Warp.linear a b u in
-  let area = ((2. *. a *. x) +. ((b -. a) *. x *. x)) /. (a +. b) in
-  0. <= x && x < 1. && near 0x1p-50 area u
-  && Float.equal x (Warp.linear (8. *. a) (8. *. b) u)
-
 let frames_law (p, q) =
   let f = Frame.of_dir (Warp.sphere p) in
   let d = (Warp.sphere q :> Vec.t) in
@@ -247,7 +206,6 @@ let suite =
   ( "warps",
     [
       Law.example "the disk is filled evenly" discs;
-      Law.example "the triangle is filled evenly" triangles;
       Law.example "the hemisphere has the density of its cosine" hemispheres;
       Law.example "the sphere is covered evenly" spheres;
       Law.example "cones are filled evenly" cones;
@@ -255,19 +213,14 @@ let suite =
       Law.example "scattered directions have their density" hazes;
       Law.example "the mean cosine of scattering is g" mean_cosine;
       Law.example "free flights have their density" flights;
-      Law.example "straight slopes have their density" slopes;
       law "G25: directions of the hemisphere are above, with density > 0" place
         show hemisphere_law;
       law "points of the disk are in it" place show disk_law;
-      law "weights in the triangle are not negative" place show triangle_law;
       law2 "directions are in their cone, however narrow" width cone_law;
       law2 "scattering is dense where it is sampled, for g up to 1 - 1e-15"
         anisotropy haze_law;
       law2 "scattering is symmetric, and backwards for -g" anisotropy symmetric;
       law2 "free flights invert their distribution, and scale" rate flight_law;
-      law "slopes invert their distribution" (Gen.pair weights place)
-        (fun ((a, b), p) -> Printf.sprintf "%h..%h at %s" a b (show p))
-        slope_law;
       law "to_local undoes to_world" (Gen.pair place place)
         (fun (p, q) -> show p ^ show q)
         frames_law;
