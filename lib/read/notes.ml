@@ -116,21 +116,20 @@ let mention n kind name first =
       | Definition -> n.book.definitions <- mentions);
       name
 
-let picture n key load =
-  match Names.find_opt key n.book.pictures with
-  | Some picture -> picture
+(* What [known] has for [key], else what is loaded, which is kept. *)
+let once known key load ~keep =
+  match Names.find_opt key known with
+  | Some found -> found
   | None ->
-      let picture = load () in
-      n.book.pictures <- Names.add key picture n.book.pictures;
-      picture
+      let loaded = load () in
+      keep (Names.add key loaded known);
+      loaded
 
-let mesh n key load =
-  match Names.find_opt key n.book.meshes with
-  | Some mesh -> mesh
-  | None ->
-      let mesh = load () in
-      n.book.meshes <- Names.add key mesh n.book.meshes;
-      mesh
+let picture { book; _ } key load =
+  once book.pictures key load ~keep:(fun all -> book.pictures <- all)
+
+let mesh { book; _ } key load =
+  once book.meshes key load ~keep:(fun all -> book.meshes <- all)
 
 let noun = function Material -> "material" | Definition -> "definition"
 
