@@ -15,4 +15,10 @@ let join (a : t) (b : t) =
   if Float.is_finite hi then Double_double.add a b
   else Double_double.of_float hi
 
+let[@inline] accumulate a i x =
+  let s = add { hi = Float.Array.get a i; lo = Float.Array.get a (i + 1) } x in
+  Float.Array.set a i s.hi;
+  Float.Array.set a (i + 1) s.lo
+
+let held a i : t = { hi = Float.Array.get a i; lo = Float.Array.get a (i + 1) }
 let total (s : t) = s.hi

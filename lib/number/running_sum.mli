@@ -25,3 +25,12 @@ val total : t -> float
     place and, after n steps, n·2^-104 times the sum of the absolute terms. That
     is less than one unit for 10^9 terms of one sign. As in plain addition,
     infinities make an infinity or [nan], and [nan] stays. *)
+
+(** {1 In place} *)
+
+val accumulate : floatarray -> int -> float -> unit
+(** [accumulate a i x] is {!add} of [x] to the sum that slots [i] and [i + 1] of
+    [a] hold; zeros hold {!zero}. It does not allocate. *)
+
+val held : floatarray -> int -> t
+(** [held a i] is the sum that slots [i] and [i + 1] of [a] hold. *)

@@ -12,7 +12,7 @@ let within i f =
 
 let ratio a b = a /. float_of_int b
 
-let stratified p ~x ~y sample =
+let position p ~x ~y sample =
   let pixel = Key.v ~seed:p.seed ~x ~y ~sample:0 ~bounce:0 Film in
   let jitter = Key.v ~seed:p.seed ~x ~y ~sample:(sample + 1) ~bounce:0 Film in
   let s = Key.permute pixel ~length:p.spp sample in
@@ -22,9 +22,6 @@ let stratified p ~x ~y sample =
   let in_cell = ratio (within row (Key.float (Key.derive jitter 0))) p.rows in
   let in_row = within s (Key.float (Key.derive jitter 1)) in
   { u = ratio (within column in_cell) p.columns; v = ratio in_row p.spp }
-
-let position p ~x ~y sample =
-  if p.spp = 1 then { u = 0.5; v = 0.5 } else stratified p ~x ~y sample
 
 let tent u =
   if u < 0.5 then sqrt (2. *. u) -. 1. else 1. -. sqrt (2. *. (1. -. u))

@@ -12,8 +12,8 @@ type shoot = Tally.t -> x:int -> y:int -> sample:int -> float -> float -> Rgb.t
 type t = {
   surface : Skin.t Candor_surface.Surface.t;
   plan : Plan.t;
-  pattern : Pattern.t;
   spp : int;
+  film : x:int -> y:int -> int -> Pattern.position;
   filter : Scene.filter;
   path : x:int -> y:int -> sample:int -> Path.t;
   aim : Path.t -> float -> float -> Ray.t;
@@ -23,13 +23,15 @@ type t = {
 
 (* {1 Paths at the camera} *)
 
-let path plan (scene : Scene.t) =
+let path plan sampler (scene : Scene.t) =
   let seed = scene.settings.seed in
   let time =
     if Plan.is_on plan Motion_blur then Motion_blur.time scene else fun _ -> 0.
   in
   let at_random ~x ~y ~sample =
-    let key = Key.v ~seed ~x ~y ~sample:0 ~bounce:0 Path in
+    let stream = Sampler.stream sampler sample in
+    let sample = Sampler.index sampler sample in
+    let key = Key.v ~seed ~x ~y ~sample:stream ~bounce:0 Path in
     let time = time (Sobol.one ~key:(Key.below key Shutter) sample) in
     Path.camera key ~sample ~time ~inside:[]
   in
@@ -102,20 +104,20 @@ let decided plan (scene : Scene.t) surface =
       Anti_aliasing.background scene surface
   | Called _ | Forced | Off -> Anti_aliasing.none
 
-let compile ?plan ?math (scene : Scene.t) =
+let compile ?plan ?math ?(sampler = Sampler.Sobol) (scene : Scene.t) =
   let plan =
     match plan with Some plan -> plan | None -> Plan.of_scene scene
   in
   let surface = Skin.surface ?math scene in
   let equation = Plan.compile plan scene surface in
   let { Scene.spp; seed; filter; _ } = scene.settings in
-  let path = path plan scene and aim = aim plan scene in
+  let path = path plan sampler scene and aim = aim plan scene in
   let light = Radiance.compile equation in
   {
     surface;
     plan;
-    pattern = Pattern.make ~seed ~spp;
     spp;
+    film = Sampler.film sampler ~seed ~spp;
     filter;
     path;
     aim;
@@ -134,36 +136,62 @@ let column p ~x (at : Pattern.position) = float_of_int x +. spread p.filter at.u
 let row p ~y (at : Pattern.position) = float_of_int y +. spread p.filter at.v
 
 let ray p ~x ~y ~sample =
-  let at = Pattern.position p.pattern ~x ~y sample in
+  let at = p.film ~x ~y sample in
   p.aim (p.path ~x ~y ~sample) (column p ~x at) (row p ~y at)
 
 let sample p tally ~x ~y ~sample =
-  let at = Pattern.position p.pattern ~x ~y sample in
+  let at = p.film ~x ~y sample in
   let radiance = p.shoot tally ~x ~y ~sample (column p ~x at) (row p ~y at) in
   if not (Rgb.is_finite radiance) then Tally.count tally Non_finite;
   radiance
 
-let mean p s = Running_sum.total s /. float_of_int p.spp
+(* {1 Sums} *)
 
-let of_all p tally ~x ~y =
-  let rec sum i r g b =
-    if i = p.spp then Rgb.v (mean p r) (mean p g) (mean p b)
-    else
-      let (c : Rgb.t) = sample p tally ~x ~y ~sample:i in
-      Running_sum.(sum (i + 1) (add r c.r) (add g c.g) (add b c.b))
-  in
-  Running_sum.(sum 0 zero zero zero)
+type part = Both | First | Second
 
-(* The mean is of all samples, so that it has the same bits. *)
-let of_one p tally ~x ~y =
-  let (c : Rgb.t) = sample p tally ~x ~y ~sample:0 in
-  let rec sum i r g b =
-    if i = p.spp then Rgb.v (mean p r) (mean p g) (mean p b)
-    else (
-      if i > 0 then Tally.count tally Spared_samples;
-      Running_sum.(sum (i + 1) (add r c.r) (add g c.g) (add b c.b)))
-  in
-  Running_sum.(sum 0 zero zero zero)
+let[@inline] is_of part sample =
+  match part with
+  | Both -> true
+  | First -> sample land 1 = 0
+  | Second -> sample land 1 = 1
+
+let slots = 6 * Sampler.streams
+
+let[@inline] gather sums ~at ~sample (c : Rgb.t) =
+  let at = at + (6 * (sample mod Sampler.streams)) in
+  Running_sum.accumulate sums at c.r;
+  Running_sum.accumulate sums (at + 2) c.g;
+  Running_sum.accumulate sums (at + 4) c.b
+
+let add_each p tally ~x ~y part ~from ~until sums at =
+  for i = from to until - 1 do
+    if is_of part i then
+      gather sums ~at ~sample:i (sample p tally ~x ~y ~sample:i)
+  done
+
+(* The same sums: they have the same bits. *)
+let add_one p tally ~x ~y part ~from ~until sums at =
+  let c = sample p tally ~x ~y ~sample:from in
+  let spared = ref (-1) in
+  for i = from to until - 1 do
+    if is_of part i then (
+      incr spared;
+      gather sums ~at ~sample:i c)
+  done;
+  Tally.count_many tally Spared_samples (Int.max 0 !spared)
+
+let add p tally ~x ~y part ~from ~until sums at =
+  if from < until then
+    if p.decided ~x ~y then add_one p tally ~x ~y part ~from ~until sums at
+    else add_each p tally ~x ~y part ~from ~until sums at
 
 let radiance p tally ~x ~y =
-  if p.decided ~x ~y then of_one p tally ~x ~y else of_all p tally ~x ~y
+  let sums = Float.Array.make slots 0. in
+  add p tally ~x ~y Both ~from:0 ~until:p.spp sums 0;
+  let mean channel =
+    let stream k = Running_sum.held sums ((6 * k) + (2 * channel)) in
+    let all = List.init Sampler.streams stream in
+    Running_sum.total (List.fold_left Running_sum.join Running_sum.zero all)
+    /. float_of_int p.spp
+  in
+  Rgb.v (mean 0) (mean 1) (mean 2)

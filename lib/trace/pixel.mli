@@ -11,9 +11,15 @@ type t
 (** A scene made ready to render: surfaces, plan, camera and samples. It is
     immutable; any number of domains may share it. *)
 
-val compile : ?plan:Plan.t -> ?math:Candor_surface.Math.t -> Scene.t -> t
+val compile :
+  ?plan:Plan.t ->
+  ?math:Candor_surface.Math.t ->
+  ?sampler:Candor_sample.Sampler.t ->
+  Scene.t ->
+  t
 (** [compile s] assembles [s] under [plan] (default: [Plan.of_scene s]), its
-    surfaces met by [math] (default [Stable]). *)
+    surfaces met by [math] (default [Stable]), its random numbers shared out by
+    [sampler] (default [Sobol]). *)
 
 val surface : t -> Skin.t Surface.t
 (** [surface p] is all of the scene's surfaces. *)
@@ -31,3 +37,30 @@ val radiance : t -> Tally.t -> x:int -> y:int -> Rgb.t
 (** [radiance p tally ~x ~y] is the mean of the pixel's samples. Samples that
     are not finite are counted in [tally] and make the mean so: nothing hides
     them. *)
+
+(** {1 Sums of samples} *)
+
+(** Which of the two streams of a pixel's samples. *)
+type part = Both | First | Second
+
+val slots : int
+(** [slots] is how many numbers hold the sums of a pixel's samples: for each of
+    {!Candor_sample.Sampler.streams} streams a {!Candor_number.Running_sum} of
+    red, green and blue, two slots each. *)
+
+val add :
+  t ->
+  Tally.t ->
+  x:int ->
+  y:int ->
+  part ->
+  from:int ->
+  until:int ->
+  floatarray ->
+  int ->
+  unit
+(** [add p tally ~x ~y part ~from ~until sums i] adds to the {!slots} of [sums]
+    from [i] on those samples s of the pixel (x, y) that [part] has, from ≤ s <
+    until, each to the sums of its stream. However a range is parted, its sums
+    have the same bits. Samples past those of the scene go on in the same way.
+*)
