@@ -20,9 +20,7 @@ let flag name =
 let options =
   let both a b = Term.(const (fun () () -> ()) $ a $ b) in
   List.fold_left both (Term.const ())
-    (List.map with_value
-       [ "error"; "confidence"; "time"; "map"; "save-map"; "part" ]
-    @ [ flag "resume" ])
+    (List.map with_value [ "part" ] @ [ flag "resume" ])
 
 (* Its options are taken too: they are not what is wrong with the line. *)
 let command (name, doc, options) =

@@ -11,7 +11,10 @@ type options = {
   output : string option;
   settings : Settings.t;
   domains : int option;
-  crop : Render.window option;
+  crop : Window.t option;
+  confidence : float;
+  map : string option;
+  save_map : string option;
   all_effects : bool;
   math : Candor_surface.Math.t;
   binary : bool;
@@ -36,7 +39,7 @@ let format_of name =
 
 let window o (s : Scene.t) =
   match o.crop with
-  | None -> Ok (Render.full s)
+  | None -> Ok (Window.full s)
   | Some { x1; y1; _ } when x1 > s.width || y1 > s.height ->
       usage
         (Printf.sprintf "--crop reaches %d,%d but the picture is %dx%d" x1 y1
@@ -63,23 +66,90 @@ let writing name f =
       Output.discard file;
       raise e
 
-let writing_stats name f =
+let writing_also name f =
   match name with
   | None -> f (fun _ -> Ok ())
   | Some name ->
-      writing name (fun file ->
-          f (fun json -> wrong (Output.commit file (Json.to_string json))))
+      writing name (fun file -> f (fun text -> wrong (Output.commit file text)))
 
-let trace o ~stop scene window =
+(* {1 Numbers of samples} *)
+
+let read_map file =
+  let contents =
+    try Ok (In_channel.with_open_bin file In_channel.input_all)
+    with Sys_error why -> Error why
+  in
+  Result.bind contents (fun text ->
+      Result.map_error
+        (fun why -> file ^ ": " ^ why)
+        (Sample_map.of_string text))
+
+let mapped file (s : Scene.t) window =
+  let* map = wrong (read_map file) in
+  if Sample_map.(width map <> s.width || height map <> s.height) then
+    Error
+      (Status.Wrong
+         (Printf.sprintf "%s is of a picture of %dx%d, but this one is %dx%d"
+            file (Sample_map.width map) (Sample_map.height map) s.width s.height))
+  else if not (Sample_map.contains map window) then
+    Error (Status.Wrong (file ^ " does not hold all of the crop"))
+  else Ok (Render.Map map)
+
+(* Seconds that writing the picture will take: a strip of noise tells. *)
+let writing_time format ~binary window =
+  let height = Window.height window in
+  let strip = Int.min 16 height in
+  let noise x y =
+    Candor_colour.Rgb.grey
+      (Candor_sample.Key.float
+         (Candor_sample.Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film))
+  in
+  let picture = Picture.init ~width:(Window.width window) ~height:strip noise in
+  let before = Mtime_clock.elapsed () in
+  ignore (Picture_file.encode format ~binary picture : string);
+  let spent = Mtime.Span.abs_diff (Mtime_clock.elapsed ()) before in
+  Mtime.Span.to_float_ns spent
+  /. 1e9 *. float_of_int height /. float_of_int strip
+
+(* Since the program began. *)
+let elapsed () = Mtime.Span.to_float_ns (Mtime_clock.elapsed ()) /. 1e9
+
+let samples o format (s : Scene.t) window =
+  let { Scene.spp; error; time; _ } = s.settings in
+  match (o.map, error, time) with
+  | Some _, _, _ when Settings.choose_samples o.settings ->
+      usage
+        "--map says how many samples there are: --spp, --error and --time \
+         cannot"
+  | Some file, _, _ -> mapped file s window
+  | None, None, None -> Ok (Render.Uniform spp)
+  | None, error, time ->
+      let left =
+        Option.map
+          (fun time ->
+            let writing = writing_time format ~binary:o.binary window in
+            fun () -> time -. elapsed () -. writing)
+          time
+      in
+      Ok (Adaptive { error; confidence = o.confidence; left; most = spp })
+
+let trace o ~stop ~samples scene window =
   let plan = Settings.plan ~all_effects:o.all_effects scene in
   let pixel = Pixel.compile ~plan ~math:o.math scene in
   let progress = Progress.make ~quiet:o.quiet in
   let report =
     Render.run ?domains:o.domains ~stop ~progress:(Progress.report progress)
-      ~window pixel scene
+      ~window ~samples pixel scene
   in
   Progress.finish progress;
   Option.map (fun report -> (plan, report)) report
+
+(* A stated error that was not met is told by the ledger, and by the code. *)
+let reached (s : Scene.t) (report : Render.report) =
+  match (s.settings.error, report.aim) with
+  | Some error, Some { ending = Out_of_time | Out_of_samples; _ } ->
+      Status.Missed (Printf.sprintf "the error of %g/255 was not reached" error)
+  | (Some _ | None), (Some _ | None) -> Status.Fine
 
 let run o =
   let name = target o in
@@ -87,21 +157,30 @@ let run o =
   let* scene = Settings.read o.scene in
   let scene = Settings.apply o.settings scene in
   let* window = window o scene in
+  let* samples = samples o format scene window in
   (* From here on there are files that an interrupt must not leave behind. *)
   let stop = stop_on_signals () in
   writing name @@ fun file ->
-  writing_stats o.stats @@ fun write_stats ->
-  match trace o ~stop scene window with
+  writing_also o.stats @@ fun write_stats ->
+  writing_also o.save_map @@ fun write_map ->
+  match trace o ~stop ~samples scene window with
   | None ->
       Error (Status.Interrupted ("interrupted; " ^ name ^ " was not written"))
   | Some (plan, report) ->
       let text = Picture_file.encode format ~binary:o.binary report.picture in
       let* () = wrong (Output.commit file text) in
-      let* () = write_stats (Ledger.json scene plan report) in
+      let* () =
+        write_stats
+          (Json.to_string
+             (Ledger.json ~confidence:o.confidence scene plan report))
+      in
+      let* () = write_map (Sample_map.to_string report.map) in
       let warnings = Settings.warnings o.settings plan scene in
       if not o.quiet then
-        Status.tell (Ledger.text ~name ~format ~warnings scene report);
-      Ok Status.Fine
+        Status.tell
+          (Ledger.text ~name ~format ~confidence:o.confidence ~warnings scene
+             report);
+      Ok (reached scene report)
 
 (* {1 The command line} *)
 
@@ -110,14 +189,14 @@ let crop =
     match List.map int_of_string_opt (String.split_on_char ',' s) with
     | [ Some x0; Some y0; Some x1; Some y1 ]
       when 0 <= x0 && x0 < x1 && 0 <= y0 && y0 < y1 ->
-        Ok { Render.x0; y0; x1; y1 }
+        Ok { Window.x0; y0; x1; y1 }
     | _ ->
         Error
           ("'" ^ s
          ^ "': expected X0,Y0,X1,Y1 in pixels from the top left, X0 < X1 and \
             Y0 < Y1")
   in
-  let pp ppf { Render.x0; y0; x1; y1 } =
+  let pp ppf { Window.x0; y0; x1; y1 } =
     Format.fprintf ppf "%d,%d,%d,%d" x0 y0 x1 y1
   in
   Arg.Conv.make ~docv:"X0,Y0,X1,Y1" ~parser:parse ~pp ()
@@ -150,6 +229,31 @@ let domains =
     "How many domains (cores) work at once; default all. The picture does not \
      depend on it."
 
+let confidence =
+  let parse s =
+    match float_of_string_opt s with
+    | Some c when 0. < c && c < 1. -> Ok c
+    | Some _ | None ->
+        Error ("'" ^ s ^ "': expected a probability between 0 and 1")
+  in
+  let print ppf = Format.fprintf ppf "%g" in
+  Arg.(
+    value
+    & opt (Conv.make ~docv:"C" ~parser:parse ~pp:print ()) 0.95
+    & info [ "confidence" ] ~docv:"C"
+        ~doc:
+          "How sure the error that $(b,--error) asks for must be met, and the \
+           interval of the ledger holds the error.")
+
+let sample_map =
+  optional [ "map" ] Arg.string "FILE"
+    "Take as many samples of each pixel as $(docv) says, which $(b,--save-map) \
+     wrote: the same picture, to the bit."
+
+let save_map =
+  optional [ "save-map" ] Arg.string "FILE"
+    "Write how many samples each pixel was given to $(docv), as text."
+
 let stats =
   optional [ "stats" ] Arg.string "FILE"
     "Write counts of rays, times and errors to $(docv) as JSON."
@@ -161,8 +265,8 @@ let binary =
 let quiet = Arg.(value & flag & info [ "quiet" ] ~doc:"Say nothing but errors.")
 
 let term =
-  let make scene output settings domains crop all_effects math binary stats
-      quiet () =
+  let make scene output settings domains crop confidence map save_map
+      all_effects math binary stats quiet () =
     let o =
       {
         scene;
@@ -170,6 +274,9 @@ let term =
         settings;
         domains;
         crop;
+        confidence;
+        map;
+        save_map;
         all_effects;
         math;
         binary;
@@ -181,8 +288,8 @@ let term =
   in
   Term.(
     const make $ Settings.scene $ output $ Settings.term $ domains $ crop
-    $ Settings.all_effects $ Settings.math $ binary $ stats $ quiet
-    $ Refused.options)
+    $ confidence $ sample_map $ save_map $ Settings.all_effects $ Settings.math
+    $ binary $ stats $ quiet $ Refused.options)
 
 let man =
   [

@@ -8,6 +8,8 @@ type t = {
   cutoff : float option;
   seed : int option;
   filter : Scene.filter option;
+  error : float option;
+  time : float option;
 }
 
 (* {1 Converters} *)
@@ -51,6 +53,17 @@ let weight =
   in
   conv ~docv:"W" parse (Printf.sprintf "%g")
 
+let error =
+  let parse s =
+    match float_of_string_opt s with
+    | Some e when e > 0. && Float.is_finite e -> Ok e
+    | Some _ | None -> Error "expected an error above 0, in units of 1/255"
+  in
+  conv ~docv:"E" parse (Printf.sprintf "%g")
+
+let duration =
+  conv ~docv:"T" Candor_read.Duration.of_string (Printf.sprintf "%gs")
+
 let filter = Arg.enum [ ("box", (Box : Scene.filter)); ("tent", Tent) ]
 
 (* {1 Options} *)
@@ -62,7 +75,8 @@ let size = option [ "size" ] size "WxH" "Size of the picture in pixels."
 
 let spp =
   option [ "spp" ] (whole ~docv:"N" ~least:1) "N"
-    "Samples per pixel. One sample is taken at the pixel's centre."
+    "Samples per pixel. One sample is taken at the pixel's centre. Beside \
+     $(b,--error) or $(b,--time), the most per pixel."
 
 let depth =
   option [ "depth" ] (whole ~docv:"N" ~least:0) "N"
@@ -82,19 +96,41 @@ let filter =
   option [ "filter" ] filter "FILTER"
     "How samples spread around a pixel: $(b,box) or $(b,tent)."
 
+let error =
+  option [ "error" ] error "E"
+    "Take as many samples, where they are needed, as bring the RMS error of \
+     the displayed picture to $(docv) or below, in units of 1/255."
+
+let time =
+  option [ "time" ] duration "T"
+    "Spend this time, such as $(b,30s) or $(b,5m), reading and writing \
+     included, on as many samples as it allows, where they are needed."
+
 let term =
-  let make size spp depth cutoff seed filter =
-    { size; spp; depth; cutoff; seed; filter }
+  let make size spp depth cutoff seed filter error time =
+    { size; spp; depth; cutoff; seed; filter; error; time }
   in
-  Term.(const make $ size $ spp $ depth $ cutoff $ seed $ filter)
+  Term.(const make $ size $ spp $ depth $ cutoff $ seed $ filter $ error $ time)
+
+let choose_samples o =
+  Option.is_some o.spp || Option.is_some o.error || Option.is_some o.time
+
+(* Any of the three replaces all three of the scene's. *)
+let samples o (s : Scene.settings) =
+  match (o.spp, o.error, o.time) with
+  | None, None, None -> s
+  | Some spp, error, time -> { s with spp; error; time }
+  | None, error, time -> { s with spp = Scene.most_samples; error; time }
 
 let apply o (s : Scene.t) =
   let width, height = Option.value o.size ~default:(s.width, s.height) in
   let or_ given x = Option.value given ~default:x in
-  let { Scene.spp; depth; cutoff; seed; filter } = s.settings in
+  let ({ Scene.depth; cutoff; seed; filter; _ } as settings) =
+    samples o s.settings
+  in
   let settings =
     {
-      Scene.spp = or_ o.spp spp;
+      settings with
       depth = (if Option.is_some o.depth then o.depth else depth);
       cutoff = or_ o.cutoff cutoff;
       seed = or_ o.seed seed;

@@ -8,6 +8,10 @@ val term : t Cmdliner.Term.t
 (** [term] is [--size], [--spp], [--depth], [--cutoff], [--seed] and [--filter].
 *)
 
+val choose_samples : t -> bool
+(** [choose_samples o] is [true] iff one of [--spp], [--error] and [--time] is
+    given. *)
+
 val apply : t -> Scene.t -> Scene.t
 (** [apply o s] is [s] with what [o] overrides. *)
 

@@ -7,10 +7,13 @@ let name = "anti-aliasing"
 let meaning = "pixels are the mean of samples, where one does not decide them"
 
 let calls (scene : Scene.t) =
-  let { Scene.spp; _ } = scene.settings in
-  if spp > 1 && scene.surfaces <> [] then
-    [ Reason.v (Printf.sprintf "%d samples a pixel" spp) Place.unknown ]
-  else []
+  let { Scene.spp; error; time; _ } = scene.settings in
+  let because why = [ Reason.v why Place.unknown ] in
+  if spp = 1 || scene.surfaces = [] then []
+  else if Option.is_some error then because "as many samples as the error takes"
+  else if Option.is_some time then
+    because "as many samples as there is time for"
+  else because (Printf.sprintf "%d samples a pixel" spp)
 
 type decided = x:int -> y:int -> bool
 

@@ -121,7 +121,11 @@ let settings (s : Scene.settings) =
         scalar "cutoff" s.cutoff;
         form "seed" [ whole s.seed ];
         form "filter" [ atom filter ];
-      ])
+      ]
+    @ option "error" scalar s.error
+    @ option "time"
+        (fun head t -> form head [ atom (Duration.to_string t) ])
+        s.time)
 
 (* {1 Materials} *)
 

@@ -11,17 +11,34 @@ let image =
 
 let filters : (string * Scene.filter) list = [ ("box", Box); ("tent", Tent) ]
 
+let duration =
+  one "T"
+    (atom
+       ~expected:(fun () -> "a time")
+       (fun notes span a ->
+         match Duration.of_string a with
+         | Ok t -> Some t
+         | Error why -> Notes.refuse notes span (Quote.word a ^ ": " ^ why)))
+
 let render =
   let d = Scene.default_settings in
   fields
-    (let+ spp = default "spp" (Quantity.whole "N" ~min:1 ~max:0x40000000) d.spp
+    (let+ spp =
+       optional "spp" (Quantity.whole "N" ~min:1 ~max:Scene.most_samples)
      and+ depth = optional "depth" (Quantity.whole "N" ~min:0 ~max:0x40000000)
      and+ cutoff =
        default "cutoff" (Quantity.scalar "W" (Rule.within 0. 1.)) d.cutoff
      and+ seed = default "seed" (Quantity.whole "N" ~min:0 ~max:max_int) d.seed
      and+ filter = default "filter" (one "FILTER" (word filters)) d.filter
-     and+ () = later [ "error"; "time" ] in
-     { Scene.spp; depth; cutoff; seed; filter })
+     and+ error = optional "error" (Quantity.scalar "E" Rule.above_zero)
+     and+ time = optional "time" duration in
+     let spp =
+       match (spp, error, time) with
+       | Some spp, _, _ -> spp
+       | None, None, None -> d.spp
+       | None, _, _ -> Scene.most_samples
+     in
+     { Scene.spp; depth; cutoff; seed; filter; error; time })
 
 let background =
   let gradient =

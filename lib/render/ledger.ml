@@ -42,12 +42,38 @@ let amount n =
   else if x >= 1e4 then Printf.sprintf "%.1f k" (x /. 1e3)
   else Printf.sprintf "%d" n
 
-let sampling (s : Scene.t) =
-  if s.settings.spp = 1 then
-    "unknown: one sample a pixel says nothing of its error"
-  else
-    Printf.sprintf "unknown: %d stratified samples do not tell their own error"
-      s.settings.spp
+let percent confidence = Printf.sprintf "%g %%" (100. *. confidence)
+
+let target (r : Render.report) =
+  match r.aim with
+  | None | Some { target = { error = None; _ }; _ } -> ""
+  | Some { target = { error = Some error; _ }; ending; _ } -> (
+      let says word = Printf.sprintf "   target %.4g %s" error word in
+      match ending with
+      | Met -> says "met"
+      | Out_of_time -> says "missed: out of time"
+      | Out_of_samples -> says "missed: out of samples")
+
+(* With as many digits as tell an error from its interval. *)
+let amount_of_error x =
+  if x >= 0.1 || x = 0. then Printf.sprintf "%.2f" x
+  else Printf.sprintf "%.2g" x
+
+let sampling ~confidence (r : Render.report) =
+  match (Sampling.rms r.sampling, Sampling.interval ~confidence r.sampling) with
+  | Some rms, Some { low; high } ->
+      let show = amount_of_error in
+      Printf.sprintf "%s/255 rms (%s: %s .. %s)%s" (show rms)
+        (percent confidence) (show low) (show high) (target r)
+  | (Some _ | None), (Some _ | None) ->
+      if Option.is_some r.non_finite_pixel then
+        "unknown: a sample is not finite"
+      else
+        let n = Sample_map.least r.map in
+        Printf.sprintf "unknown: %s a pixel %s too few to tell, 4 are enough%s"
+          (count n "sample")
+          (if n = 1 then "is" else "are")
+          (target r)
 
 let cut_off (s : Scene.t) tally =
   let by_depth = Tally.get tally Cut_by_depth
@@ -91,17 +117,20 @@ let output_line (format : Picture_file.format) picture =
       Printf.sprintf "%s clamped at 255; 8-bit rounding %.2f/255"
         (count clamped "pixel") rounding
 
-let size (w : Render.window) = Printf.sprintf "%dx%d" (w.x1 - w.x0) (w.y1 - w.y0)
+let size w = Printf.sprintf "%dx%d" (Window.width w) (Window.height w)
 
-let samples (scene : Scene.t) (r : Render.report) =
-  let spp = scene.settings.spp in
-  if Tally.get r.tally Spared_samples > 0 then Printf.sprintf "1..%d" spp
-  else string_of_int spp
+let samples (r : Render.report) =
+  let least =
+    if Tally.get r.tally Spared_samples > 0 then 1 else Sample_map.least r.map
+  and most = Sample_map.most r.map in
+  if least = most then string_of_int most
+  else Printf.sprintf "%d..%d" least most
 
-let text ~name ~format ?(warnings = []) (scene : Scene.t) (r : Render.report) =
+let text ~name ~format ~confidence ?(warnings = []) (scene : Scene.t)
+    (r : Render.report) =
   let headline =
     Printf.sprintf "%s  %s  %s spp  %.2f s  %s rays  %.1f words/ray" name
-      (size r.window) (samples scene r) r.seconds
+      (size r.window) (samples r) r.seconds
       (amount (total_rays r))
       (words_per_ray r)
   in
@@ -110,7 +139,7 @@ let text ~name ~format ?(warnings = []) (scene : Scene.t) (r : Render.report) =
   headline
   :: List.map line
        ([
-          ("sampling", sampling scene);
+          ("sampling", sampling ~confidence r);
           ("cut-off", cut_off scene r.tally);
           ("numerics", numerics r);
           ("output", output_line format r.picture);
@@ -135,18 +164,43 @@ let json_image (scene : Scene.t) (r : Render.report) =
       ("width", Int (w.x1 - w.x0));
       ("height", Int (w.y1 - w.y0));
       ("crop", List [ Int w.x0; Int w.y0; Int w.x1; Int w.y1 ]);
-      ("spp", Int scene.settings.spp);
+      ("spp", Int (Sample_map.most r.map));
+      ("least_spp", Int (Sample_map.least r.map));
+      ("samples", Float (Sample_map.total r.map));
       ("spared_samples", Int (Tally.get r.tally Spared_samples));
       ("seed", Int scene.settings.seed);
     ]
 
-let json_ledger (r : Render.report) =
+let json_sampling ~confidence (r : Render.report) =
+  let option = Option.fold ~none:Json.Null ~some:(fun x -> Json.Float x) in
+  let interval = Sampling.interval ~confidence r.sampling in
+  let target =
+    match r.aim with
+    | None | Some { target = { error = None; _ }; _ } -> []
+    | Some { target = { error = Some error; _ }; ending; _ } ->
+        let met =
+          match ending with
+          | Met -> true
+          | Out_of_time | Out_of_samples -> false
+        in
+        [ ("target", Json.Float error); ("met", Bool met) ]
+  in
+  Json.Object
+    ([
+       ("rms", option (Sampling.rms r.sampling));
+       ("confidence", Json.Float confidence);
+       ("low", option (Option.map (fun i -> i.Sampling.low) interval));
+       ("high", option (Option.map (fun i -> i.Sampling.high) interval));
+     ]
+    @ target)
+
+let json_ledger ~confidence (r : Render.report) =
   let { clamped; rounding } = output r.picture in
   let cut c = Json.Int (Tally.get r.tally c) in
   let effort = Tally.effort r.tally in
   Json.Object
     [
-      ("sampling", Object [ ("rms", Null) ]);
+      ("sampling", json_sampling ~confidence r);
       ( "cut-off",
         Object
           [ ("by_depth", cut Cut_by_depth); ("by_weight", cut Cut_by_weight) ]
@@ -162,7 +216,7 @@ let json_ledger (r : Render.report) =
         Object [ ("clamped", Int clamped); ("rounding", Float rounding) ] );
     ]
 
-let json scene plan (r : Render.report) =
+let json ~confidence scene plan (r : Render.report) =
   Json.Object
     [
       ("rays", json_rays r);
@@ -171,5 +225,5 @@ let json scene plan (r : Render.report) =
       ("words_per_ray", Float (words_per_ray r));
       ("domains", Int r.domains);
       ("image", json_image scene r);
-      ("ledger", json_ledger r);
+      ("ledger", json_ledger ~confidence r);
     ]

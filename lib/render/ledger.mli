@@ -15,14 +15,18 @@ val output : Picture.t -> output
 val text :
   name:string ->
   format:Picture_file.format ->
+  confidence:float ->
   ?warnings:string list ->
   Scene.t ->
   Render.report ->
   string
-(** [text ~name ~format ~warnings scene report] is the ledger: a headline for
-    the picture [name], then a line each for the errors of sampling, cut-off,
-    numerics and output, and for each of [warnings]. A bound stands there only
-    where it is proved; else [unknown] or [unbounded], and why. *)
+(** [text ~name ~format ~confidence ~warnings scene report] is the ledger: a
+    headline for the picture [name], then a line each for the errors of
+    sampling, cut-off, numerics and output, and for each of [warnings]. A bound
+    stands there only where it is proved; else [unknown] or [unbounded], and
+    why. *)
 
-val json : Scene.t -> Candor_effect.Plan.t -> Render.report -> Json.t
-(** [json scene plan report] is the same for programs, with every counter. *)
+val json :
+  confidence:float -> Scene.t -> Candor_effect.Plan.t -> Render.report -> Json.t
+(** [json ~confidence scene plan report] is the same for programs, with every
+    counter. *)

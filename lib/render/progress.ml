@@ -33,21 +33,27 @@ let talk format =
   let speak text = try Printf.eprintf "%s%!" text with Sys_error _ -> () in
   Printf.ksprintf speak format
 
-let say p now share =
-  let left = if share > 0. then now *. (1. -. share) /. share else infinity in
-  let left = if left < infinity then time left ^ " left" else "" in
+(* With its range, where that is known. *)
+let left pace ~elapsed =
+  let left, low, high = Pace.time_left pace ~elapsed in
+  if left = infinity then ""
+  else if high = infinity || time low = time high then time left ^ " left"
+  else Printf.sprintf "%s left (%s to %s)" (time left) (time low) (time high)
+
+let say p elapsed (pace : Pace.t) =
+  let left = left pace ~elapsed and percent = 100. *. pace.share in
   match p.style with
   | Silent -> ()
-  | Bar -> talk "\r[%s] %3.0f %%  %s\027[K" (bar share) (100. *. share) left
-  | Lines -> talk "%3.0f %% done, %s\n" (100. *. share) left
+  | Bar -> talk "\r[%s] %3.0f %%  %s\027[K" (bar pace.share) percent left
+  | Lines -> talk "%3.0f %% done, %s\n" percent left
 
 let pause = function Silent -> infinity | Bar -> 0.1 | Lines -> 5.
 
-let report p share =
+let report p pace =
   let now = elapsed p and last = Atomic.get p.last in
   (* Whoever moves [last] speaks; the others go on with their rows. *)
   if now -. last >= pause p.style && Atomic.compare_and_set p.last last now then
-    say p now share
+    say p now pace
 
 let finish p =
   match p.style with Bar -> talk "\r\027[K" | Silent | Lines -> ()

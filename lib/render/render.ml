@@ -1,16 +1,25 @@
-open Candor_colour
 open Candor_scene
 open Candor_effect
 open Candor_trace
 open Candor_image
 
-type window = { x0 : int; y0 : int; x1 : int; y1 : int }
+type samples =
+  | Uniform of int
+  | Map of Sample_map.t
+  | Adaptive of Adaptive.target
 
-let full (s : Scene.t) = { x0 = 0; y0 = 0; x1 = s.width; y1 = s.height }
+type aim = {
+  target : Adaptive.target;
+  ending : Adaptive.ending;
+  forecasts : Adaptive.forecast list;
+}
 
 type report = {
   picture : Picture.t;
-  window : window;
+  window : Window.t;
+  map : Sample_map.t;
+  sampling : Sampling.t;
+  aim : aim option;
   seconds : float;
   domains : int;
   tally : Tally.t;
@@ -18,63 +27,119 @@ type report = {
   non_finite_pixel : (int * int) option;
 }
 
-type row = {
-  pixels : floatarray;
-  tally : Tally.t;
-  words : float;
-  non_finite : (int * int) option;
+let seconds clock = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9
+
+type job = {
+  domains : int;
+  stop : unit -> bool;
+  progress : Pace.t -> unit;
+  window : Window.t;
+  pixel : Pixel.t;
 }
 
-let row pixel window y =
-  let width = window.x1 - window.x0 in
-  let pixels = Float.Array.create (3 * width) in
-  let tally = Tally.make () in
-  (* Local mutation: the row is filled here and never again. *)
-  let non_finite = ref None in
-  let before = Gc.minor_words () in
-  for i = 0 to width - 1 do
-    let x = window.x0 + i in
-    let c = Pixel.radiance pixel tally ~x ~y in
-    if Option.is_none !non_finite && not (Rgb.is_finite c) then
-      non_finite := Some (x, y);
-    Float.Array.set pixels (3 * i) c.r;
-    Float.Array.set pixels ((3 * i) + 1) c.g;
-    Float.Array.set pixels ((3 * i) + 2) c.b
-  done;
-  let words = Gc.minor_words () -. before in
-  { pixels; tally; words; non_finite = !non_finite }
-
-let report window ~seconds ~domains rows =
-  let list = Array.to_list rows in
-  {
-    picture =
-      Picture.of_rows ~width:(window.x1 - window.x0)
-        (Array.map (fun r -> r.pixels) rows);
-    window;
-    seconds;
-    domains;
-    tally = Tally.sum (List.map (fun r -> r.tally) list);
-    words = List.fold_left (fun sum r -> sum +. r.words) 0. list;
-    non_finite_pixel = List.find_map (fun r -> r.non_finite) list;
-  }
+let row job i =
+  let { Window.x0; x1; y0; _ } = job.window in
+  Row.make ~x0 ~x1 (y0 + i)
 
 let complete rows =
   if Array.for_all Option.is_some rows then
     Some (Array.of_list (List.filter_map Fun.id (Array.to_list rows)))
   else None
 
-let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
-    ?(progress = ignore) ?window pixel scene =
-  let window = Option.value window ~default:(full scene) in
-  let height = window.y1 - window.y0 in
-  let finished = Atomic.make 0 in
-  let one i =
-    let row = row pixel window (window.y0 + i) in
-    let n = 1 + Atomic.fetch_and_add finished 1 in
-    progress (float_of_int n /. float_of_int height);
-    row
+let parallel job f =
+  let height = Window.height job.window in
+  complete (Rows.parallel ~domains:job.domains ~stop:job.stop height f)
+
+(* {1 Given numbers of samples} *)
+
+(* Rows come and go: their sums are not kept. *)
+let given job samples =
+  let count = Window.height job.window in
+  let times = Atomic.make [] in
+  let rec note t =
+    let before = Atomic.get times in
+    if Atomic.compare_and_set times before (t :: before) then t :: before
+    else note t
   in
+  parallel job (fun i ->
+      let clock = Mtime_clock.counter () in
+      let row = row job i in
+      Row.take job.pixel row (samples i);
+      let result = Row.result row in
+      let seconds = note (seconds clock) in
+      job.progress (Pace.of_parts ~count ~seconds);
+      result)
+
+let mapped (job : job) map =
+  let { Window.x0; y0; _ } = job.window in
+  given job (fun i k -> Sample_map.samples map (x0 + k) (y0 + i))
+
+(* {1 Adaptive ones} *)
+
+let adaptive job target =
+  let rows = Array.init (Window.height job.window) (row job) in
+  let width = Window.width job.window in
+  let taken = Atomic.make 0 and expected = Atomic.make None in
+  let sum row =
+    List.fold_left (fun n i -> n + Row.samples row i) 0 (List.init width Fun.id)
+  in
+  let note more =
+    let taken = Atomic.fetch_and_add taken more + more in
+    match Atomic.get expected with
+    | None -> ()
+    | Some forecast ->
+        job.progress (Pace.of_forecast ~taken:(float_of_int taken) forecast)
+  in
+  let pass wanted =
+    parallel job (fun i ->
+        let row = rows.(i) in
+        let before = sum row in
+        Row.take job.pixel row (fun x -> wanted x i);
+        let result = Row.result row in
+        note (sum row - before);
+        result)
+  in
+  Adaptive.run rows target ~pass ~expect:(fun f -> Atomic.set expected (Some f))
+
+(* {1 Reports} *)
+
+let report (job : job) (scene : Scene.t) ~seconds ~aim results =
+  let list = Array.to_list results in
+  let rows f = Array.map f results in
+  let width = Window.width job.window in
+  {
+    picture = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.pixels));
+    window = job.window;
+    map =
+      Sample_map.v ~width:scene.width ~height:scene.height job.window
+        (rows (fun (r : Row.result) -> r.counts));
+    sampling =
+      List.fold_left
+        (fun sum (r : Row.result) -> Sampling.join sum r.sampling)
+        Sampling.none list;
+    aim;
+    seconds;
+    domains = job.domains;
+    tally = Tally.sum (List.map (fun (r : Row.result) -> r.tally) list);
+    words = List.fold_left (fun sum (r : Row.result) -> sum +. r.words) 0. list;
+    non_finite_pixel = List.find_map (fun (r : Row.result) -> r.non_finite) list;
+  }
+
+let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
+    ?(progress = ignore) ?window ?samples pixel (scene : Scene.t) =
+  let window = Option.value window ~default:(Window.full scene) in
+  let job = { domains; stop; progress; window; pixel } in
   let clock = Mtime_clock.counter () in
-  let rows = Rows.parallel ~domains ~stop height one in
-  let seconds = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9 in
-  Option.map (report window ~seconds ~domains) (complete rows)
+  let report = report job scene in
+  let of_rows rows =
+    Option.map (report ~seconds:(seconds clock) ~aim:None) rows
+  in
+  match Option.value samples ~default:(Uniform scene.settings.spp) with
+  | Uniform n -> of_rows (given job (fun _ _ -> n))
+  | Map map -> of_rows (mapped job map)
+  | Adaptive target ->
+      Option.map
+        (fun { Adaptive.results; ending; forecasts } ->
+          let aim = Some { target; ending; forecasts } in
+          report ~seconds:(seconds clock) ~aim results)
+        (adaptive job target)

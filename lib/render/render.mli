@@ -6,15 +6,25 @@ open Candor_effect
 open Candor_trace
 open Candor_image
 
-type window = { x0 : int; y0 : int; x1 : int; y1 : int }
-(** The pixels x0 ≤ x < x1, y0 ≤ y < y1 of the full picture. *)
+(** How many samples the pixels are given. *)
+type samples =
+  | Uniform of int  (** each so many, at least 1 *)
+  | Map of Sample_map.t  (** as it says; it contains the window *)
+  | Adaptive of Adaptive.target
 
-val full : Scene.t -> window
-(** [full s] is all of [s]'s picture. *)
+type aim = {
+  target : Adaptive.target;
+  ending : Adaptive.ending;
+  forecasts : Adaptive.forecast list;
+}
+(** How an adaptive render went. *)
 
 type report = {
   picture : Picture.t;
-  window : window;
+  window : Window.t;
+  map : Sample_map.t;  (** the samples that were taken *)
+  sampling : Sampling.t;  (** what they say of their error *)
+  aim : aim option;  (** of an [Adaptive] render *)
   seconds : float;  (** wall-clock time from the first ray to the last *)
   domains : int;
   tally : Tally.t;
@@ -26,11 +36,14 @@ type report = {
 val run :
   ?domains:int ->
   ?stop:(unit -> bool) ->
-  ?progress:(float -> unit) ->
-  ?window:window ->
+  ?progress:(Pace.t -> unit) ->
+  ?window:Window.t ->
+  ?samples:samples ->
   Pixel.t ->
   Scene.t ->
   report option
-(** [run p s] renders [window] (default: all) of [s], compiled as [p].
-    [progress] is told the share of rows done after each, from whichever domain
-    did it. [None] if [stop] answered [true] before the end. *)
+(** [run p s] renders [window] (default: all) of [s], compiled as [p], with
+    [samples] (default: [Uniform] as [s] says). [progress] is told how far it is
+    after each row, from whichever domain did it. [None] if [stop] answered
+    [true] before the end. {b Law.} [Map (r.map)] renders the picture of report
+    [r] again, to the bit. *)

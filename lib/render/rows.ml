@@ -13,9 +13,19 @@ let sized =
       if gc.minor_heap_size < minor_heap then
         Gc.set { gc with minor_heap_size = minor_heap })
 
+let rec gcd a b = if b = 0 then a else gcd b (a mod b)
+
+(* Steps of about n/φ visit all n rows, and any number of the first of them all
+   parts of the picture alike: what they took tells what the others will. *)
+let stride n =
+  let rec coprime k = if gcd k n = 1 then k else coprime (k + 1) in
+  coprime (Int.max 1 (int_of_float (0.618 *. float_of_int n)))
+
 let parallel ~domains ~stop n f =
   let rows = Array.make n None in
-  let row i =
+  let stride = stride n in
+  let row k =
+    let i = k * stride mod n in
     Domain.DLS.get sized;
     if not (stop ()) then rows.(i) <- Some (f i)
   in

@@ -7,7 +7,7 @@ let name = function
   | Stratified -> "stratified"
   | Sobol -> "sobol"
 
-let streams = 2
+let streams = 4
 
 let[@inline] stream sampler sample =
   match sampler with

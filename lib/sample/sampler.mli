@@ -25,8 +25,8 @@ val name : t -> string
 (** [name s] is a word for [s]. *)
 
 val streams : int
-(** [streams] is 2, the least that tells an error: the more streams, the less
-    evenly do all samples together fill their space. *)
+(** [streams] is 4, the least that tells an error and how far to trust that. The
+    more streams, the less evenly do all samples together fill their space. *)
 
 val stream : t -> int -> int
 (** [stream s sample] names the keys of sample [sample] ≥ 0; those of samples

@@ -16,6 +16,8 @@ type settings = {
   cutoff : float;
   seed : int;
   filter : filter;
+  error : float option;
+  time : float option;
 }
 [@@deriving show, eq, ord]
 
@@ -75,7 +77,17 @@ type t = {
 [@@deriving show, eq]
 
 let default_settings =
-  { spp = 16; depth = None; cutoff = 0.; seed = 0; filter = Box }
+  {
+    spp = 16;
+    depth = None;
+    cutoff = 0.;
+    seed = 0;
+    filter = Box;
+    error = None;
+    time = None;
+  }
+
+let most_samples = 0x40000000
 
 let plain shape place =
   { shape; material = None; motion = Vec.zero; both_sides = false; place }

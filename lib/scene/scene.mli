@@ -26,6 +26,10 @@ type settings = {
       (** paths whose largest throughput component is below this end *)
   seed : int;
   filter : filter;
+  error : float option;
+      (** the greatest RMS error of the displayed picture, in units of 1/255: as
+          many samples as that takes, [spp] at most *)
+  time : float option;  (** seconds to spend on it, likewise *)
 }
 [@@deriving show, eq, ord]
 
@@ -97,7 +101,11 @@ type t = {
 
 val default_settings : settings
 (** [default_settings] is 16 samples per pixel, no depth of its own, cutoff 0,
-    seed 0, box filter. *)
+    seed 0, box filter, no error or time of its own. *)
+
+val most_samples : int
+(** [most_samples] is the greatest number of samples per pixel, 2^30: that of
+    settings with an error or a time and no number. *)
 
 val plain : shape -> Place.t -> surface
 (** [plain shape place] is at rest, has no material of its own and emits from

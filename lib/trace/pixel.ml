@@ -147,14 +147,6 @@ let sample p tally ~x ~y ~sample =
 
 (* {1 Sums} *)
 
-type part = Both | First | Second
-
-let[@inline] is_of part sample =
-  match part with
-  | Both -> true
-  | First -> sample land 1 = 0
-  | Second -> sample land 1 = 1
-
 let slots = 6 * Sampler.streams
 
 let[@inline] gather sums ~at ~sample (c : Rgb.t) =
@@ -163,35 +155,40 @@ let[@inline] gather sums ~at ~sample (c : Rgb.t) =
   Running_sum.accumulate sums (at + 2) c.g;
   Running_sum.accumulate sums (at + 4) c.b
 
-let add_each p tally ~x ~y part ~from ~until sums at =
+let add_each p tally ~x ~y ~from ~until sums at =
   for i = from to until - 1 do
-    if is_of part i then
-      gather sums ~at ~sample:i (sample p tally ~x ~y ~sample:i)
+    gather sums ~at ~sample:i (sample p tally ~x ~y ~sample:i)
   done
 
-(* The same sums: they have the same bits. *)
-let add_one p tally ~x ~y part ~from ~until sums at =
+(* The sums are of all, so that they have the same bits. *)
+let add_one p tally ~x ~y ~from ~until sums at =
   let c = sample p tally ~x ~y ~sample:from in
-  let spared = ref (-1) in
   for i = from to until - 1 do
-    if is_of part i then (
-      incr spared;
-      gather sums ~at ~sample:i c)
-  done;
-  Tally.count_many tally Spared_samples (Int.max 0 !spared)
+    if i > from then Tally.count tally Spared_samples;
+    gather sums ~at ~sample:i c
+  done
 
-let add p tally ~x ~y part ~from ~until sums at =
+let add p tally ~x ~y ~from ~until sums at =
   if from < until then
-    if p.decided ~x ~y then add_one p tally ~x ~y part ~from ~until sums at
-    else add_each p tally ~x ~y part ~from ~until sums at
+    if p.decided ~x ~y then add_one p tally ~x ~y ~from ~until sums at
+    else add_each p tally ~x ~y ~from ~until sums at
+
+let stream_sum sums at ~stream ~channel =
+  Running_sum.held sums (at + (6 * stream) + (2 * channel))
+
+let mean sums at ~samples =
+  let channel k =
+    let rec join i sum =
+      if i = Sampler.streams then sum
+      else
+        join (i + 1)
+          (Running_sum.join sum (stream_sum sums at ~stream:i ~channel:k))
+    in
+    Running_sum.total (join 0 Running_sum.zero) /. float_of_int samples
+  in
+  Rgb.v (channel 0) (channel 1) (channel 2)
 
 let radiance p tally ~x ~y =
   let sums = Float.Array.make slots 0. in
-  add p tally ~x ~y Both ~from:0 ~until:p.spp sums 0;
-  let mean channel =
-    let stream k = Running_sum.held sums ((6 * k) + (2 * channel)) in
-    let all = List.init Sampler.streams stream in
-    Running_sum.total (List.fold_left Running_sum.join Running_sum.zero all)
-    /. float_of_int p.spp
-  in
-  Rgb.v (mean 0) (mean 1) (mean 2)
+  add p tally ~x ~y ~from:0 ~until:p.spp sums 0;
+  mean sums 0 ~samples:p.spp

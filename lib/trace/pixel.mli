@@ -40,9 +40,6 @@ val radiance : t -> Tally.t -> x:int -> y:int -> Rgb.t
 
 (** {1 Sums of samples} *)
 
-(** Which of the two streams of a pixel's samples. *)
-type part = Both | First | Second
-
 val slots : int
 (** [slots] is how many numbers hold the sums of a pixel's samples: for each of
     {!Candor_sample.Sampler.streams} streams a {!Candor_number.Running_sum} of
@@ -53,14 +50,21 @@ val add :
   Tally.t ->
   x:int ->
   y:int ->
-  part ->
   from:int ->
   until:int ->
   floatarray ->
   int ->
   unit
-(** [add p tally ~x ~y part ~from ~until sums i] adds to the {!slots} of [sums]
-    from [i] on those samples s of the pixel (x, y) that [part] has, from ≤ s <
-    until, each to the sums of its stream. However a range is parted, its sums
-    have the same bits. Samples past those of the scene go on in the same way.
-*)
+(** [add p tally ~x ~y ~from ~until sums i] adds samples [from] … [until − 1] of
+    the pixel (x, y) to the {!slots} of [sums] from [i] on, each to the sums of
+    its stream. However a range is parted, its sums have the same bits. There
+    are samples past those of the scene's settings. *)
+
+val mean : floatarray -> int -> samples:int -> Rgb.t
+(** [mean sums i ~samples] is the mean of the first [samples] ≥ 1 samples of a
+    pixel, whose sums are in [sums] from [i] on. *)
+
+val stream_sum :
+  floatarray -> int -> stream:int -> channel:int -> Candor_number.Running_sum.t
+(** [stream_sum sums i ~stream ~channel] is the sum of one of its streams in one
+    channel: 0 red, 1 green, 2 blue. *)

@@ -42,6 +42,8 @@ let settings () =
       cutoff = 1.;
       seed = 5;
       filter = Tent;
+      error = None;
+      time = None;
     }
 
 let no_settings () =
@@ -152,7 +154,7 @@ let any_settings =
       (map (fun b : Scene.filter -> if b then Box else Tent) bool)
   in
   ( Printf.sprintf "(render %s %s %s %s %s)" f c s n e,
-    { Scene.spp; depth; cutoff; seed; filter } )
+    { d with spp; depth; cutoff; seed; filter } )
 
 let defaults =
   law ~count:500 "what is left out of the settings has its default" ~print:fst

@@ -3,7 +3,9 @@ open Candor_oracle
 open Candor_scene_made
 
 let defaults () =
-  let { Scene.spp; depth; cutoff; seed; filter } = Scene.default_settings in
+  let { Scene.spp; depth; cutoff; seed; filter; error; time } =
+    Scene.default_settings
+  in
   Alcotest.(check (list int)) "spp, seed" [ 16; 0 ] [ spp; seed ];
   Alcotest.(check (option int)) "depth" None depth;
   Alcotest.(check (float 0.)) "cutoff" 0. cutoff;

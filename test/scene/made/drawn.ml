@@ -335,7 +335,7 @@ let settings =
   and+ cutoff = Draw.pick [ 0.; 0.; 0.3 ]
   and+ seed = int_bound 1000
   and+ filter = Draw.pick [ (Box : Scene.filter); Tent ] in
-  { Scene.spp; depth; cutoff; seed; filter }
+  { Scene.default_settings with spp; depth; cutoff; seed; filter }
 
 let named name value = { Scene.name; value; place = place_of 1 }
 

@@ -1,0 +1,251 @@
+open Candor_sample
+
+type target = {
+  error : float option;
+  confidence : float;
+  left : (unit -> float) option;
+  most : int;
+}
+
+type forecast = { taken : float; total : float; low : float; high : float }
+type ending = Met | Out_of_time | Out_of_samples
+
+type outcome = {
+  results : Row.result array;
+  ending : ending;
+  forecasts : forecast list;
+}
+
+type job = {
+  rows : Row.t array;
+  target : target;
+  pass : (int -> int -> int) -> Row.result array option;
+  expect : forecast -> unit;
+}
+
+(* What is done so far. *)
+type state = {
+  results : Row.result array;
+  base : int; (* samples that every pixel has *)
+  sampling : Sampling.t;
+  law : float; (* the mean square error goes as n^-law *)
+  taken : float; (* samples *)
+  rate : float; (* seconds for each of the last *)
+  forecasts : forecast list; (* last first *)
+}
+
+let width job = Row.width job.rows.(0)
+let height job = Array.length job.rows
+let pixels job = float_of_int (width job * height job)
+
+let left job =
+  match job.target.left with Some left -> left () | None -> infinity
+
+let upper job s = Sampling.upper ~confidence:job.target.confidence s.sampling
+
+let is_met job s =
+  match (job.target.error, upper job s) with
+  | Some error, Some upper -> upper <= error
+  | Some _, None | None, _ -> false
+
+(* {1 Passes} *)
+
+let count results =
+  let of_row n (r : Row.result) = n + Array.fold_left ( + ) 0 r.counts in
+  float_of_int (Array.fold_left of_row 0 results)
+
+let pass job s wanted =
+  let clock = Mtime_clock.counter () in
+  let after results =
+    let seconds = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9 in
+    let taken = count results in
+    let add sum (r : Row.result) = Sampling.join sum r.sampling in
+    {
+      s with
+      results;
+      sampling = Array.fold_left add Sampling.none results;
+      taken;
+      rate = (if taken > s.taken then seconds /. (taken -. s.taken) else s.rate);
+    }
+  in
+  Option.map after (job.pass wanted)
+
+(* Independent samples have law 1, those that fill their space evenly more; a
+   noisy estimate of it should not promise what is rare. *)
+let law_between before after =
+  let ratio = float_of_int after.base /. float_of_int before.base in
+  match
+    (Sampling.mean_square before.sampling, Sampling.mean_square after.sampling)
+  with
+  | Some a, Some b when a > 0. && b > 0. && ratio > 1. ->
+      Float.max 1. (Float.min 1.5 (Float.log (a /. b) /. Float.log ratio))
+  | (Some _ | None), (Some _ | None) -> before.law
+
+let lay job s base =
+  let after next =
+    let next = { next with base } in
+    { next with law = law_between s next }
+  in
+  Option.map after (pass job s (fun _ _ -> base))
+
+(* {1 How many samples are wanted} *)
+
+let allocation job s =
+  let squares x y =
+    if s.base < Sampler.streams then 1.
+    else Sampling.squares (Row.sampling job.rows.(y) x)
+  in
+  Allocation.make ~width:(width job) ~height:(height job) ~base:s.base squares
+
+(* The share of the mean square error that may be left. *)
+let share_wanted job s error =
+  match upper job s with
+  | Some upper when upper > 0. -> error *. error /. (upper *. upper)
+  | Some _ | None -> 0.
+
+let scale_for_error job s allocation =
+  match job.target.error with
+  | None -> infinity
+  | Some error ->
+      Allocation.for_error allocation ~law:s.law ~most:job.target.most
+        (share_wanted job s error)
+
+(* Not all the time that is left at once: how long samples take is known better
+   when most of them are taken. *)
+let time_share = 0.8
+
+let scale_for_time job s allocation =
+  let left = left job in
+  if left = infinity then infinity
+  else
+    let more = time_share *. Float.max 0. left /. s.rate in
+    Allocation.for_total allocation ~most:job.target.most (s.taken +. more)
+
+(* {1 Forecasts} *)
+
+let spread s =
+  match
+    (Sampling.rms s.sampling, Sampling.interval ~confidence:0.95 s.sampling)
+  with
+  | Some rms, Some { high; _ } when rms > 0. -> (high /. rms) ** (2. /. s.law)
+  | (Some _ | None), (Some _ | None) -> 2.
+
+let forecast job s ~total =
+  let spread = spread s in
+  let f =
+    {
+      taken = s.taken;
+      total;
+      low = Float.max s.taken (total /. spread);
+      high = total *. spread;
+    }
+  in
+  job.expect f;
+  { s with forecasts = f :: s.forecasts }
+
+(* {1 The way to the target} *)
+
+let finish (s : state) ending =
+  Some { results = s.results; ending; forecasts = List.rev s.forecasts }
+
+let ( let* ) = Option.bind
+
+(* By how much all shares must grow if the target was missed. *)
+let growth job s =
+  match job.target.error with
+  | None -> infinity
+  | Some error ->
+      let share = share_wanted job s error in
+      if share > 0. then Float.max 1.01 (share ** (-1. /. s.law)) else 2.
+
+(* Less time than this is not worth another pass. *)
+let enough_time = 0.01
+
+(* What few samples say is doubtful, and samples that fill their space evenly
+   are worth more than they say: so most of what seems to be missing is taken,
+   and looked at. *)
+let step = 0.6
+
+let step_towards job s allocation ~total ~scale =
+  let missing = total -. s.taken in
+  if missing <= (1. -. step) *. s.taken then scale
+  else
+    Allocation.for_total allocation ~most:job.target.most
+      (s.taken +. (step *. missing))
+
+let rec spend job s allocation ~scale ~total =
+  if is_met job s then finish s Met
+  else if total < infinity && left job <= enough_time *. total then
+    finish s Out_of_time
+  else
+    let most = job.target.most in
+    let in_time = scale_for_time job s allocation in
+    let expected =
+      Allocation.total allocation ~scale:(Float.min scale in_time) ~most
+    in
+    let s = forecast job s ~total:expected in
+    let scale =
+      if scale < infinity then
+        step_towards job s allocation ~total:expected ~scale
+      else scale
+    in
+    let scale = Float.min scale in_time in
+    let before = s.taken in
+    let* s = pass job s (Allocation.samples allocation ~scale ~most) in
+    if s.taken > before then
+      spend job s allocation ~scale:(scale *. growth job s) ~total
+    else if left job < infinity then finish s Out_of_time
+    else finish s Out_of_samples
+
+(* The base is this share of all samples, or down to half of it. *)
+let base_share = 0.25
+
+let next_base job s ~wanted =
+  let goal =
+    Float.min
+      (base_share *. wanted /. pixels job)
+      (float_of_int job.target.most)
+  in
+  let rec double n =
+    if float_of_int (2 * n) <= goal then double (2 * n) else n
+  in
+  Int.min (8 * s.base) (double s.base)
+
+let rec lay_base job s ~total =
+  if is_met job s then finish s Met
+  else
+    let allocation = allocation job s in
+    let scale =
+      Float.min
+        (scale_for_error job s allocation)
+        (scale_for_time job s allocation)
+    in
+    let wanted = Allocation.total allocation ~scale ~most:job.target.most in
+    let base = next_base job s ~wanted in
+    if base > s.base then
+      let* s = lay job (forecast job s ~total:wanted) base in
+      lay_base job s ~total
+    else spend job s allocation ~scale ~total
+
+let start =
+  {
+    results = [||];
+    base = 0;
+    sampling = Sampling.none;
+    law = 1.;
+    taken = 0.;
+    rate = 0.;
+    forecasts = [];
+  }
+
+(* The first sample tells how long samples take; the fourth, the error. *)
+let run rows target ~pass ~expect =
+  let job = { rows; target; pass; expect } in
+  let total = left job in
+  let* s = lay job start 1 in
+  let streams = Sampler.streams in
+  let fits = left job >= float_of_int (streams - 1) *. pixels job *. s.rate in
+  if target.most >= streams && fits then
+    let* s = lay job s streams in
+    lay_base job s ~total
+  else lay_base job s ~total

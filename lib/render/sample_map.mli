@@ -1,0 +1,36 @@
+(** How many samples each pixel of a picture has: what repeats an adaptive
+    render to the bit. *)
+
+type t
+
+val v : width:int -> height:int -> Window.t -> int array array -> t
+(** [v ~width ~height window counts] is of a picture of that size, whose rows in
+    [window] have [counts], each at least 1. *)
+
+val window : t -> Window.t
+val width : t -> int
+val height : t -> int
+
+val samples : t -> int -> int -> int
+(** [samples m x y] is the number of samples of the pixel (x, y) of the full
+    picture, which must be in the window. *)
+
+val least : t -> int
+val most : t -> int
+
+val total : t -> float
+(** [total m] is the number of all samples. *)
+
+val contains : t -> Window.t -> bool
+(** [contains m w] is [true] iff all of [w] is in [m]'s window. *)
+
+(** {1 As text} *)
+
+val to_string : t -> string
+(** [to_string m] is two lines, [candor-map 1 width W height H] and
+    [window X0 Y0 X1 Y1], then a line for each row: the numbers of samples, each
+    written once for a run of equal pixels, as [NxK] for K of them. *)
+
+val of_string : string -> (t, string) result
+(** [of_string s] is the map that {!to_string} wrote. The error says what is
+    wrong, and in which line. *)
