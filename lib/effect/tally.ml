@@ -75,10 +75,6 @@ let count t c =
   let i = index c in
   t.counts.(i) <- t.counts.(i) + 1
 
-let count_many t c n =
-  let i = index c in
-  t.counts.(i) <- t.counts.(i) + n
-
 let get t c = t.counts.(index c)
 let effort t = t.effort
 

@@ -35,9 +35,6 @@ val make : ?watch:(Event.t -> unit) -> unit -> t
 val count : t -> counter -> unit
 (** [count t c] adds one. *)
 
-val count_many : t -> counter -> int -> unit
-(** [count_many t c n] adds [n]. *)
-
 val get : t -> counter -> int
 (** [get t c] is how often [c] was counted. *)
 

@@ -55,17 +55,19 @@ let count results =
   float_of_int (Array.fold_left of_row 0 results)
 
 let pass job s wanted =
-  let clock = Mtime_clock.counter () in
+  let before = left job in
   let after results =
-    let seconds = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9 in
     let taken = count results in
+    let more = taken -. s.taken in
     let add sum (r : Row.result) = Sampling.join sum r.sampling in
     {
       s with
       results;
       sampling = Array.fold_left add Sampling.none results;
       taken;
-      rate = (if taken > s.taken then seconds /. (taken -. s.taken) else s.rate);
+      rate =
+        (if before < infinity && more > 0. then (before -. left job) /. more
+         else s.rate);
     }
   in
   Option.map after (job.pass wanted)

@@ -15,6 +15,8 @@ let all profile scenes =
   table "Whole renders, beside the textbook's math" (fun () ->
       Naive.table scenes);
   table "What the absence of effects is worth" (fun () -> Absent.table scenes);
+  table "Errors of adaptive sampling, beside uniform, in 1/255" (fun () ->
+      Adaptive.table scenes);
   table "Size" Memory.table
 
 let () =
@@ -22,5 +24,6 @@ let () =
   | [ _; "memory"; n ] -> Memory.child (int_of_string n)
   | [ _; "naive"; scenes ] -> Naive.table scenes
   | [ _; "absent"; scenes ] -> Absent.table scenes
+  | [ _; "adaptive"; scenes ] -> Adaptive.table scenes
   | [ _; profile; scenes ] -> all profile scenes
-  | _ -> prerr_endline "usage: bench PROFILE|naive|absent SCENES"
+  | _ -> prerr_endline "usage: bench PROFILE|naive|absent|adaptive SCENES"
