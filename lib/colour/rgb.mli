@@ -34,5 +34,8 @@ val is_black : t -> bool
 val is_finite : t -> bool
 (** [is_finite c] is [true] iff no component is infinite or not a number. *)
 
+val greater : t -> t -> t
+(** [greater a b] is the greater of both, component by component. *)
+
 val largest : t -> float
 (** [largest c] is the greatest component. *)

@@ -6,8 +6,9 @@ type t =
   | Roulette of { depth : int }
   | At_once
 
-let cut tally counter event =
+let cut tally (path : Path.t) weight counter event =
   Tally.count tally counter;
+  Tally.leave_out tally ~carried:path.throughput weight;
   if Tally.watched tally then Tally.show tally (Cut event);
   0.
 
@@ -36,10 +37,10 @@ let survival limit tally (path : Path.t) branch ~weight ~beside =
     match limit with
     | At_once -> 0.
     | Fixed { depth; cutoff } ->
-        if path.depth >= depth then cut tally Cut_by_depth Depth
+        if path.depth >= depth then cut tally path weight Cut_by_depth Depth
         else if Rgb.largest (Rgb.mul path.throughput weight) < cutoff then
-          cut tally Cut_by_weight Weight
+          cut tally path weight Cut_by_weight Weight
         else 1.
     | Roulette { depth } ->
-        if path.depth >= depth then cut tally Cut_by_depth Depth
+        if path.depth >= depth then cut tally path weight Cut_by_depth Depth
         else roulette path branch ~weight ~beside

@@ -22,7 +22,8 @@ val survival :
   float
 (** [survival l tally p branch ~weight ~beside] is what to multiply the light by
     that [p] finds by the step [branch] of throughput [weight]: 0 if it ends, at
-    least 1 otherwise. Steps of black throughput end, and are not counted.
+    least 1 otherwise. Steps of black throughput end, and are not counted;
+    others that [l] cuts are, with their throughput ({!Tally.leave_out}).
     [beside] is the throughput of what else follows from the same surface: steps
     that compete for the light of one path share its chances, so that paths do
     not multiply. *)

@@ -1,3 +1,4 @@
+open Candor_colour
 open Candor_surface
 
 type counter =
@@ -60,6 +61,7 @@ let index = function
 
 type t = {
   counts : int array;
+  left_out : floatarray;  (** red, green and blue *)
   effort : Effort.t;
   watch : (Event.t -> unit) option;
 }
@@ -67,6 +69,7 @@ type t = {
 let make ?watch () =
   {
     counts = Array.make (List.length counters) 0;
+    left_out = Float.Array.make 3 0.;
     effort = Effort.make ();
     watch;
   }
@@ -76,12 +79,28 @@ let count t c =
   t.counts.(i) <- t.counts.(i) + 1
 
 let get t c = t.counts.(index c)
+
+let leave_out t ~(carried : Rgb.t) (weight : Rgb.t) =
+  let sum = t.left_out in
+  Float.Array.set sum 0 (Float.Array.get sum 0 +. (carried.r *. weight.r));
+  Float.Array.set sum 1 (Float.Array.get sum 1 +. (carried.g *. weight.g));
+  Float.Array.set sum 2 (Float.Array.get sum 2 +. (carried.b *. weight.b))
+
+let left_out t =
+  let part = Float.Array.get t.left_out in
+  Rgb.v (part 0) (part 1) (part 2)
+
+let start_anew t = Float.Array.fill t.left_out 0 3 0.
 let effort t = t.effort
 
 let sum ts =
-  let total i = List.fold_left (fun n t -> n + t.counts.(i)) 0 ts in
+  let total i = List.fold_left (fun n t -> n + t.counts.(i)) 0 ts
+  and lost i =
+    List.fold_left (fun x t -> x +. Float.Array.get t.left_out i) 0. ts
+  in
   {
     counts = Array.init (List.length counters) total;
+    left_out = Float.Array.init 3 lost;
     effort = Effort.sum (List.map effort ts);
     watch = None;
   }

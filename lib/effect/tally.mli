@@ -2,6 +2,8 @@
     counting cannot change a picture. Each row of pixels has its own; they are
     added up in row order. *)
 
+open Candor_colour
+
 type counter =
   | Camera_rays
   | Shadow_rays
@@ -38,11 +40,24 @@ val count : t -> counter -> unit
 val get : t -> counter -> int
 (** [get t c] is how often [c] was counted. *)
 
+val leave_out : t -> carried:Rgb.t -> Rgb.t -> unit
+(** [leave_out t ~carried weight] adds [carried] times [weight] to what
+    {!left_out} tells: the throughput of a step that was not taken. It allocates
+    nothing. *)
+
+val left_out : t -> Rgb.t
+(** [left_out t] is the throughput of all that was left out since [t] was made
+    or {!start_anew}: times the greatest radiance that it could have found, it
+    bounds the light that was lost. *)
+
+val start_anew : t -> unit
+(** [start_anew t] makes [left_out t] black, as at the beginning of a pixel. *)
+
 val effort : t -> Candor_surface.Effort.t
 (** [effort t] is what intersection queries add to. *)
 
 val sum : t list -> t
-(** [sum ts] has the counts of all [ts] together. *)
+(** [sum ts] has the counts of all [ts] together, and what they left out. *)
 
 val watched : t -> bool
 (** [watched t] is [true] iff somebody looks at events. *)

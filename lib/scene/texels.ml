@@ -35,6 +35,10 @@ let exists p t =
   let rec from i = i < t.width * t.height && (p (texel t i) || from (i + 1)) in
   from 0
 
+let greatest t =
+  let texels = Seq.take (t.width * t.height) (Seq.ints 0) in
+  Seq.fold_left (fun most i -> Rgb.greater most (texel t i)) (texel t 0) texels
+
 let compare a b =
   let rec values i =
     if i = Float.Array.length a.values then 0

@@ -28,6 +28,9 @@ val get : t -> int -> int -> Rgb.t
 val exists : (Rgb.t -> bool) -> t -> bool
 (** [exists p t] is [true] iff [p] holds for some texel. *)
 
+val greatest : t -> Rgb.t
+(** [greatest t] has the greatest red, green and blue of all texels. *)
+
 (** {1 Lookups}
 
     Both are bilinear: at a texel's centre they are the texel, and between four

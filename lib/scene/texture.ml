@@ -12,3 +12,9 @@ let rec exists p = function
   | Checker { even; odd; _ } -> exists p even || exists p odd
   | Noise { first; second; _ } -> exists p first || exists p second
   | Image { texels; _ } -> Texels.exists p texels
+
+let rec greatest = function
+  | Constant c -> c
+  | Checker { even; odd; _ } -> Rgb.greater (greatest even) (greatest odd)
+  | Noise { first; second; _ } -> Rgb.greater (greatest first) (greatest second)
+  | Image { texels; _ } -> Texels.greatest texels

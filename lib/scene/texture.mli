@@ -17,3 +17,7 @@ type t =
 
 val exists : (Rgb.t -> bool) -> t -> bool
 (** [exists p t] is whether [p] holds for some colour that [t] is made of. *)
+
+val greatest : t -> Rgb.t
+(** [greatest t] has the greatest red, green and blue of all colours that [t] is
+    made of: nowhere is it brighter. *)

@@ -32,4 +32,6 @@ let () =
       Test_smooth_normals.suite;
       Test_receiver.suite;
       Test_tracer.suite;
+      Test_nearness.suite;
+      Test_brightest.suite;
     ]

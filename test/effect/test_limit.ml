@@ -23,7 +23,10 @@ let fixed () =
   check "deep and light: counted once" 0. (at 4 0.5 0) 0.25;
   Alcotest.(check (pair int int))
     "counted" (2, 1)
-    (Tally.get tally Cut_by_depth, Tally.get tally Cut_by_weight)
+    (Tally.get tally Cut_by_depth, Tally.get tally Cut_by_weight);
+  Alcotest.check Lit.rgb "weighed"
+    (Rgb.grey (1. +. 0.125 +. 0.125))
+    (Tally.left_out tally)
 
 let black () =
   let tally = Tally.make () in
@@ -46,7 +49,8 @@ let roulette_depth () =
   let tally = Tally.make () in
   let limit = Limit.Roulette { depth = 2 } in
   value "before" 1. (survival limit tally (at 1 1. 0));
-  value "at it" 0. (survival limit tally (at 2 1. 0));
+  value "at it" 0. (survival limit tally (at 2 0.5 0));
+  Alcotest.check Lit.rgb "weighed" (Rgb.grey 0.5) (Tally.left_out tally);
   Alcotest.(check int) "counted" 1 (Tally.get tally Cut_by_depth)
 
 (* Whatever the depth and what competes, survival is 1 in the mean; it ends

@@ -1,3 +1,4 @@
+open Candor_colour
 open Candor_effect
 open Candor_oracle
 
@@ -70,6 +71,24 @@ let watching () =
   Alcotest.(check bool) "not watched" false (Tally.watched t);
   Tally.show t Met_nothing
 
+let left_out () =
+  let t = Tally.make () in
+  let check name expected t =
+    Alcotest.check Lit.rgb name expected (Tally.left_out t)
+  in
+  check "nothing yet" Rgb.black t;
+  Tally.leave_out t ~carried:(Rgb.v 0.5 1. 0.) (Rgb.v 0.5 0.25 1.);
+  Tally.leave_out t ~carried:Rgb.white (Rgb.v 1. 0. 2.);
+  check "both" (Rgb.v 1.25 0.25 2.) t;
+  check "together" (Rgb.v 2.5 0.5 4.) (Tally.sum [ t; t ]);
+  let words = Gc.minor_words () in
+  for _ = 1 to 1000 do
+    Tally.leave_out t ~carried:Rgb.white Rgb.white
+  done;
+  if Gc.minor_words () -. words > 100. then Alcotest.fail "it allocates";
+  Tally.start_anew t;
+  check "anew" Rgb.black t
+
 let suite =
   ( "tallies",
     [
@@ -93,5 +112,7 @@ let suite =
             "zero" true
             (List.for_all (( = ) 0) (counts (Tally.sum []))));
       Law.example "counters have different names; three count rays" names;
+      Law.example "what is left out is weighed, and no word is allocated"
+        left_out;
       Law.example "a watcher sees every event" watching;
     ] )

@@ -7,6 +7,7 @@ let () =
       Test_picture.suite;
       Test_json.suite;
       Test_ledger.suite;
+      Test_cut_off.suite;
       Test_output.suite;
       Test_progress.suite;
     ]
