@@ -19,17 +19,21 @@ let crossed state (hit : Tracer.hit) =
         { state with entered = Refraction.without m state.entered }
     | Inside -> { state with around = m :: state.around }
 
-let v (tracer : Tracer.t) path (ray : Ray.t) =
-  let tally = Tally.make () and d = ray.direction in
-  let rec leave n ray state =
-    match tracer.nearest tally path ray with
-    | Some hit when n < most -> (
-        let state = crossed state hit in
-        let place = Hit.place hit d in
-        match Refraction.touching tracer tally path place with
-        | None -> leave (n + 1) (Hit.spawn hit d) state
-        | Some other ->
-            leave (n + 1) (Hit.spawn_clear other place d) (crossed state other))
-    | Some _ | None -> state.around
-  in
-  List.rev (leave 0 ray { entered = []; around = [] })
+(* Not a closure: it is asked for every camera ray where they start apart. *)
+let rec leave (tracer : Tracer.t) tally path d n ray state =
+  match tracer.nearest tally path ray with
+  | Some hit when n < most -> (
+      let state = crossed state hit in
+      let place = Hit.place hit d in
+      match Refraction.touching tracer tally path place with
+      | None -> leave tracer tally path d (n + 1) (Hit.spawn hit d) state
+      | Some other ->
+          let state = crossed state other in
+          let ray = Hit.spawn_clear other place d in
+          leave tracer tally path d (n + 1) ray state)
+  | Some _ | None -> state.around
+
+let v tracer path (ray : Ray.t) =
+  { entered = []; around = [] }
+  |> leave tracer (Tally.make ()) path ray.direction 0 ray
+  |> List.rev

@@ -6,11 +6,12 @@ type t =
   | Roulette of { depth : int }
   | At_once
 
-let cut tally (path : Path.t) weight counter event =
-  Tally.count tally counter;
+(* Not inlined, so that [survival] is, whose result then needs no box. *)
+let[@inline never] cut tally (path : Path.t) weight (cut : Event.cut) =
+  Tally.count tally
+    (match cut with Depth -> Cut_by_depth | Weight -> Cut_by_weight);
   Tally.leave_out tally ~carried:path.throughput weight;
-  if Tally.watched tally then Tally.show tally (Cut event);
-  0.
+  if Tally.watched tally then Tally.show tally (Cut cut)
 
 (* Below this depth paths end only where they would multiply. *)
 let sure = 5
@@ -37,10 +38,15 @@ let survival limit tally (path : Path.t) branch ~weight ~beside =
     match limit with
     | At_once -> 0.
     | Fixed { depth; cutoff } ->
-        if path.depth >= depth then cut tally path weight Cut_by_depth Depth
-        else if Rgb.largest (Rgb.mul path.throughput weight) < cutoff then
-          cut tally path weight Cut_by_weight Weight
+        if path.depth >= depth then (
+          cut tally path weight Depth;
+          0.)
+        else if Rgb.largest (Rgb.mul path.throughput weight) < cutoff then (
+          cut tally path weight Weight;
+          0.)
         else 1.
     | Roulette { depth } ->
-        if path.depth >= depth then cut tally path weight Cut_by_depth Depth
+        if path.depth >= depth then (
+          cut tally path weight Depth;
+          0.)
         else roulette path branch ~weight ~beside

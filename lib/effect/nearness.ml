@@ -65,6 +65,15 @@ let exactly (s : Scene.surface) =
 
 (* {1 All of them} *)
 
+(* What stands in groups that move nothing stands where it is written. *)
+let rec laid_open (s : Scene.surface) =
+  match s.shape with
+  | Group { transform = []; surfaces } when Scene.is_still s ->
+      List.concat_map laid_open surfaces
+  | Sphere _ | Box _ | Triangle _ | Quadric _ | Polygon _ | Mesh _ | Use _
+  | Group _ ->
+      [ s ]
+
 (* Finer boxes are nearer to what they hold. *)
 let depth = 12
 
@@ -72,7 +81,9 @@ let to_surfaces (scene : Scene.t) =
   let shape s =
     match exactly s with Some f -> Either.Left f | None -> Right s
   in
-  let known, surfaces = List.partition_map shape scene.surfaces in
+  let known, surfaces =
+    List.partition_map shape (List.concat_map laid_open scene.surfaces)
+  in
   let rest = Assembly.surface ~dress:ignore { scene with surfaces } in
   let boxes = List.map to_bounds (Surface.cover rest ~depth) in
   let all = known @ boxes in

@@ -10,5 +10,5 @@ val to_bounds : Bounds.t -> Point.t -> float
 val to_surfaces : Scene.t -> Point.t -> float
 (** [to_surfaces s] is the function from a point to a lower bound on its
     distance from every surface of [s], while the shutter is open; 0 where none
-    is known, infinite where there is no surface. Spheres, boxes and planes at
-    the top level count as they are, everything else by boxes around it. *)
+    is known, infinite where there is no surface. Spheres, boxes and planes that
+    nothing moves count as they are, everything else by boxes around it. *)

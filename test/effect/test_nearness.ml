@@ -21,6 +21,8 @@ let known () =
   near "inside a box" 0.5 (from [ box ] (1., 2., 5.5));
   near "beyond an edge" 5. (from [ box ] (5., 8., 3.));
   near "two surfaces" 1. (from [ ball; box ] (1., 5., 1.));
+  near "inside a sphere in a group" 1.5
+    (from [ "(group (group " ^ ball ^ "))" ] (1., 0.5, 0.));
   near "in a group" 5.
     (from [ "(group (transform (translate 0 0 -7)) " ^ box ^ ")" ] (1., 1., 4.))
 
@@ -32,7 +34,9 @@ let unknown () =
        [ "(quadric (hyperboloid-one-sheet (center 0 0 0) (radii 1 1 1)))" ]
        (0., 0., 0.));
   is "inside of what is moved" 0.
-    (from [ "(group (sphere (center 0 0 0) (radius 1)))" ] (0., 0., 0.));
+    (from
+       [ "(group (transform (scale 2)) (sphere (center 0 0 0) (radius 1)))" ]
+       (0., 0., 0.));
   is "in the way of what moves" 0.
     (from [ "(sphere (center 0 0 0) (radius 1) (motion 4 0 0))" ] (0.5, 0., 0.))
 
