@@ -5,8 +5,8 @@
     mean over samples, would show between x and x + w·L with no path cut, w
     being the mean weight of what was cut in it and L a bound by {!Brightest}.
     On display it has lost g(x + w·L) − g(x) at most, g being {!Display.encode}.
-    This is proved of the very samples that were taken: what chance does to them
-    is sampling error. *)
+    That is proved of the samples that were taken, in the mean over how paths
+    would have gone on from where they were cut; the rest is sampling error. *)
 
 open Candor_colour
 open Candor_scene

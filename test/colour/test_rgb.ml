@@ -40,6 +40,8 @@ let suite =
       law "the largest component is one of them and none is above" rgb (fun c ->
           let m = Rgb.largest c in
           List.mem m (parts c) && List.for_all (fun x -> x <= m) (parts c));
+      law2 "the greater of two is so in each component" (fun a b ->
+          Rgb.equal (Rgb.greater a b) (each Float.max a b));
       law2 "equality and order agree" (fun a b ->
           Rgb.equal a b = (Rgb.compare a b = 0) && Rgb.compare a a = 0);
     ] )

@@ -81,6 +81,19 @@ let media () =
        (scattering 2) (absorption 1))))";
     ]
 
+let wavelengths () =
+  grey "a prism" (0.5 *. 1.125)
+    [ sky; floor "(glass (index 1.5) (dispersion 30))" ];
+  let n = 100_000 in
+  let at i =
+    Dispersion.(colour (wavelength ((float_of_int i +. 0.5) /. float_of_int n)))
+  in
+  let sum =
+    Seq.fold_left Rgb.add Rgb.black (Seq.map at (Seq.take n (Seq.ints 0)))
+  in
+  let mean = Rgb.largest sum /. float_of_int n in
+  if mean > 1.125 then Alcotest.failf "the mean of all colours is %g" mean
+
 let unbounded name why forms =
   match bound forms with
   | At_most most -> Alcotest.failf "%s: at most %s" name (Rgb.show most)
@@ -194,6 +207,7 @@ let suite =
       Law.example "what surfaces add and pass on" surfaces;
       Law.example "area lights" areas;
       Law.example "fog and cloudy bodies" media;
+      Law.example "light that takes a wavelength" wavelengths;
       Law.example "without a bound: why, and where" reasons;
       law "no sample of a drawn scene is brighter" (Drawn.scene Round) certain;
       law "nor of one of loose numbers" (Drawn.scene Loose) certain;

@@ -151,6 +151,40 @@ let glass () =
         (bounded (at depth s) (at 10 s)))
     [ 0; 1; 3; 6 ]
 
+(* A ball seen from within, whose wall glows and sends half of its light back:
+   all of it has radiance 2. Below the depth, lamps are asked for what the last
+   step would have found of the wall's own light, so that much is lost twice. *)
+let furnace () =
+  let s =
+    Written.scene
+      [
+        Written.size 2 2;
+        "(camera (perspective (eye .2 .1 0) (look-at 0 0 -1) (fov-y 60)))";
+        "(indirect-light)";
+        "(render (spp 256))";
+        "(sphere (center 0 0 0) (radius 1) (both-sides) (material (matte \
+         (color .5) (emission 1))))";
+      ]
+  in
+  List.iter
+    (fun depth ->
+      let s = at depth s in
+      let { picture; cut; _ } = rendered s in
+      let most =
+        match Brightest.of_scene s with
+        | At_most most -> most.r
+        | Unbounded why -> Alcotest.fail why
+      in
+      near "brightest" 2. most;
+      let mean part = (part 0 0 +. part 0 1 +. part 1 0 +. part 1 1) /. 4. in
+      let x = mean (fun x y -> (Picture.pixel picture x y).r)
+      and cut = mean (fun x y -> (Picture.pixel cut x y).r) in
+      let expected = 2. +. (0.5 ** float_of_int (depth + 1)) in
+      if Float.abs (x +. (cut *. most) -. expected) > 0.02 then
+        Alcotest.failf "depth %d: %g and %g lost, expected %g" depth x
+          (cut *. most) expected)
+    [ 0; 1; 3; 6; 9 ]
+
 (* {1 Numbers} *)
 
 let squares () =
@@ -203,6 +237,7 @@ let suite =
       Law.example "facing mirrors lose as much as the bound" attained;
       law;
       Law.example "nor of glass and plastic" glass;
+      Law.example "nor where light bounces and paths end by chance" furnace;
       Law.example "what a pixel may have lost" squares;
       Law.example "the ledger's line" lines;
       Law.example "the same for programs" json;

@@ -32,10 +32,28 @@ let every_part () =
       ("blue", constant 0.1 0.2 0.9);
     ]
 
+let greatest () =
+  let is name expected t =
+    Alcotest.(check bool) name true (Rgb.equal expected (Texture.greatest t))
+  in
+  let red = Texture.Constant (Rgb.v 0.9 0. 0.) in
+  let noise =
+    Texture.Noise { first = red; second = odd; scale = 1.; octaves = 2 }
+  in
+  let texels =
+    Texels.init ~width:2 ~height:3 (fun x y ->
+        Rgb.v (float_of_int x) (float_of_int y) 0.5)
+  in
+  is "constant" (Rgb.v 0.1 0.2 0.3) even;
+  is "checker" (Rgb.v 0.4 0.5 0.6) (checker odd even 1.);
+  is "noise, in a checker" (Rgb.v 0.9 0.5 0.6) (checker even noise 1.);
+  is "picture" (Rgb.v 1. 2. 0.5) (Image { file = "some.png"; texels })
+
 let suite =
   ( "textures",
     Derived.laws (module Texture) "textures" (Derived.often Drawn.texture)
     @ [
         Law.example "both colours and the scale of a checker count" every_field;
+        Law.example "the greatest colour, part by part" greatest;
         Law.example "each part of a colour counts" every_part;
       ] )
