@@ -87,10 +87,15 @@ let leave_out t ~(carried : Rgb.t) (weight : Rgb.t) =
   Float.Array.set sum 2 (Float.Array.get sum 2 +. (carried.b *. weight.b))
 
 let left_out t =
-  let part = Float.Array.get t.left_out in
-  Rgb.v (part 0) (part 1) (part 2)
+  let sum = t.left_out in
+  Rgb.v (Float.Array.get sum 0) (Float.Array.get sum 1) (Float.Array.get sum 2)
 
 let start_anew t = Float.Array.fill t.left_out 0 3 0.
+
+let move_left_out t a i =
+  Float.Array.blit t.left_out 0 a i 3;
+  start_anew t
+
 let effort t = t.effort
 
 let sum ts =

@@ -53,6 +53,11 @@ val left_out : t -> Rgb.t
 val start_anew : t -> unit
 (** [start_anew t] makes [left_out t] black, as at the beginning of a pixel. *)
 
+val move_left_out : t -> floatarray -> int -> unit
+(** [move_left_out t a i] writes red, green and blue of [left_out t] to [a] from
+    index [i] on, and starts anew. It allocates nothing. Raises
+    [Invalid_argument] if [a] is too short. *)
+
 val effort : t -> Candor_surface.Effort.t
 (** [effort t] is what intersection queries add to. *)
 

@@ -81,11 +81,17 @@ let left_out () =
   Tally.leave_out t ~carried:Rgb.white (Rgb.v 1. 0. 2.);
   check "both" (Rgb.v 1.25 0.25 2.) t;
   check "together" (Rgb.v 2.5 0.5 4.) (Tally.sum [ t; t ]);
+  let row = Float.Array.make 5 7. in
   let words = Gc.minor_words () in
   for _ = 1 to 1000 do
-    Tally.leave_out t ~carried:Rgb.white Rgb.white
+    Tally.leave_out t ~carried:Rgb.white Rgb.white;
+    Tally.move_left_out t row 1
   done;
   if Gc.minor_words () -. words > 100. then Alcotest.fail "it allocates";
+  check "moved" Rgb.black t;
+  Alcotest.(check (list (float 0.)))
+    "in the row" [ 7.; 1.; 1.; 1.; 7. ] (Float.Array.to_list row);
+  Tally.leave_out t ~carried:Rgb.white Rgb.white;
   Tally.start_anew t;
   check "anew" Rgb.black t
 
