@@ -93,7 +93,10 @@ let left_out t =
 let start_anew t = Float.Array.fill t.left_out 0 3 0.
 
 let move_left_out t a i =
-  Float.Array.blit t.left_out 0 a i 3;
+  for k = 0 to 2 do
+    Float.Array.set a (i + k)
+      (Float.Array.get a (i + k) +. Float.Array.get t.left_out k)
+  done;
   start_anew t
 
 let effort t = t.effort

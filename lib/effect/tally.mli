@@ -54,7 +54,7 @@ val start_anew : t -> unit
 (** [start_anew t] makes [left_out t] black, as at the beginning of a pixel. *)
 
 val move_left_out : t -> floatarray -> int -> unit
-(** [move_left_out t a i] writes red, green and blue of [left_out t] to [a] from
+(** [move_left_out t a i] adds red, green and blue of [left_out t] to [a] from
     index [i] on, and starts anew. It allocates nothing. Raises
     [Invalid_argument] if [a] is too short. *)
 

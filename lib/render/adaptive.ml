@@ -114,7 +114,7 @@ let scale_for_error job s allocation =
 
 (* Not all the time that is left at once: how long samples take is known better
    when most of them are taken. *)
-let time_share = 0.8
+let time_share = 0.9
 
 let scale_for_time job s allocation =
   let left = left job in
@@ -200,7 +200,7 @@ let rec spend job s allocation ~scale ~total =
     else finish s Out_of_samples
 
 (* The base is this share of all samples, or down to half of it. *)
-let base_share = 0.25
+let base_share = 0.5
 
 let next_base job s ~wanted =
   let goal =

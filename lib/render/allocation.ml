@@ -79,12 +79,18 @@ let real a ~scale ~most deviation =
   let base = float_of_int a.base in
   if n <= base then base else Float.min n (float_of_int most)
 
+(* Streams that fill their space evenly do so best with powers of two. *)
 let samples a ~scale ~most x y =
-  let n =
-    real a ~scale ~most (Float.Array.get a.deviations ((y * a.width) + x))
-  in
+  let deviation = Float.Array.get a.deviations ((y * a.width) + x) in
+  let n = real a ~scale ~most deviation in
   let chance = Key.float (Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film) in
-  Int.min (Int.max a.base most) (int_of_float (n +. chance))
+  let rec between low =
+    let high = 2 * low in
+    if float_of_int high <= n then between high
+    else if chance *. float_of_int low < n -. float_of_int low then high
+    else low
+  in
+  Int.min (Int.max a.base most) (between a.base)
 
 let total a ~scale ~most =
   let base = float_of_int a.base in

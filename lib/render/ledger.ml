@@ -75,24 +75,6 @@ let sampling ~confidence (r : Render.report) =
           (if n = 1 then "is" else "are")
           (target r)
 
-let cut_off (s : Scene.t) tally =
-  let by_depth = Tally.get tally Cut_by_depth
-  and by_weight = Tally.get tally Cut_by_weight in
-  let ended =
-    [
-      (by_depth, Printf.sprintf "ended at depth %d" (Scene.depth s));
-      (by_weight, Printf.sprintf "fell below weight %g" s.settings.cutoff);
-    ]
-    |> List.filter (fun (n, _) -> n > 0)
-    |> List.map (fun (n, why) -> count n "path" ^ " " ^ why)
-  in
-  match ended with
-  | [] -> "0: no path was cut"
-  | _ :: _ ->
-      Printf.sprintf
-        "unbounded: %s; what they would have seen has no proven bound"
-        (String.concat ", " ended)
-
 let numerics (r : Render.report) =
   let effort = Tally.effort r.tally in
   let samples =
@@ -140,7 +122,7 @@ let text ~name ~format ~confidence ?(warnings = []) (scene : Scene.t)
   :: List.map line
        ([
           ("sampling", sampling ~confidence r);
-          ("cut-off", cut_off scene r.tally);
+          ("cut-off", Cut_off.text scene r.tally r.cut_off);
           ("numerics", numerics r);
           ("output", output_line format r.picture);
         ]
@@ -201,10 +183,7 @@ let json_ledger ~confidence (r : Render.report) =
   Json.Object
     [
       ("sampling", json_sampling ~confidence r);
-      ( "cut-off",
-        Object
-          [ ("by_depth", cut Cut_by_depth); ("by_weight", cut Cut_by_weight) ]
-      );
+      ("cut-off", Cut_off.json r.tally r.cut_off);
       ( "numerics",
         Object
           [

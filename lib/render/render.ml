@@ -19,6 +19,7 @@ type report = {
   window : Window.t;
   map : Sample_map.t;
   sampling : Sampling.t;
+  cut_off : Cut_off.t Lazy.t;
   aim : aim option;
   seconds : float;
   domains : int;
@@ -107,8 +108,11 @@ let report (job : job) (scene : Scene.t) ~seconds ~aim results =
   let list = Array.to_list results in
   let rows f = Array.map f results in
   let width = Window.width job.window in
+  let picture = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.pixels))
+  and cut = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.cut)) in
   {
-    picture = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.pixels));
+    picture;
+    cut_off = lazy (Cut_off.of_picture (Brightest.of_scene scene) ~cut picture);
     window = job.window;
     map =
       Sample_map.v ~width:scene.width ~height:scene.height job.window

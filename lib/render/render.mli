@@ -24,6 +24,8 @@ type report = {
   window : Window.t;
   map : Sample_map.t;  (** the samples that were taken *)
   sampling : Sampling.t;  (** what they say of their error *)
+  cut_off : Cut_off.t Lazy.t;
+      (** what may be lost where paths were cut; for one domain to ask *)
   aim : aim option;  (** of an [Adaptive] render *)
   seconds : float;  (** wall-clock time from the first ray to the last *)
   domains : int;

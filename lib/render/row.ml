@@ -7,6 +7,9 @@ type t = {
   x0 : int;
   sums : floatarray;
   counts : int array;
+  known : int array; (* of how many samples [sampling] is *)
+  sampling : Sampling.t array;
+  left_out : floatarray; (* what was cut, as in Tally *)
   tally : Tally.t;
   mutable words : float;
 }
@@ -18,12 +21,23 @@ let make ~x0 ~x1 y =
     x0;
     sums = Float.Array.make (Pixel.slots * width) 0.;
     counts = Array.make width 0;
+    known = Array.make width 0;
+    sampling = Array.make width Sampling.none;
+    left_out = Float.Array.make (3 * width) 0.;
     tally = Tally.make ();
     words = 0.;
   }
 
 let width row = Array.length row.counts
 let samples row i = row.counts.(i)
+
+let update row =
+  for i = 0 to width row - 1 do
+    let samples = row.counts.(i) in
+    if samples > row.known.(i) then (
+      row.known.(i) <- samples;
+      row.sampling.(i) <- Sampling.pixel row.sums (Pixel.slots * i) ~samples)
+  done
 
 let take pixel row want =
   let before = Gc.minor_words () in
@@ -32,16 +46,18 @@ let take pixel row want =
     let until = Int.max from (want i) in
     Pixel.add pixel row.tally ~x:(row.x0 + i) ~y:row.y ~from ~until row.sums
       (Pixel.slots * i);
+    Tally.move_left_out row.tally row.left_out (3 * i);
     row.counts.(i) <- until
   done;
-  row.words <- row.words +. (Gc.minor_words () -. before)
+  row.words <- row.words +. (Gc.minor_words () -. before);
+  update row
 
-let sampling row i =
-  Sampling.pixel row.sums (Pixel.slots * i) ~samples:row.counts.(i)
+let sampling row i = row.sampling.(i)
 
 type result = {
   pixels : floatarray;
   counts : int array;
+  cut : floatarray;
   sampling : Sampling.t;
   non_finite : (int * int) option;
   tally : Tally.t;
@@ -68,6 +84,10 @@ let result (row : t) =
   {
     pixels;
     counts = Array.copy row.counts;
+    cut =
+      Float.Array.mapi
+        (fun i w -> w /. float_of_int row.counts.(i / 3))
+        row.left_out;
     sampling = !known;
     non_finite = !non_finite;
     tally = row.tally;

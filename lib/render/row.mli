@@ -24,6 +24,8 @@ val sampling : t -> int -> Sampling.t
 type result = {
   pixels : floatarray;  (** red, green and blue of each *)
   counts : int array;  (** how many samples each has *)
+  cut : floatarray;
+      (** red, green and blue of the mean weight of what was cut in each *)
   sampling : Sampling.t;
   non_finite : (int * int) option;  (** the first pixel that is *)
   tally : Tally.t;  (** of all that was done *)

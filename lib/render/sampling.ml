@@ -38,6 +38,7 @@ let size ~samples stream = (samples - stream + streams - 1) / streams
 (* What the squared change is worth when a share [w] of the samples is left out:
    right on average, were the display linear. *)
 let worth ~out:w change = (1. -. w) /. w *. change *. change
+let all_equal xs = Array.for_all (Float.equal xs.(0)) xs
 
 (* One channel, from each stream's sum and share of the samples. *)
 let channel ~samples ~sums ~shares =
@@ -70,7 +71,8 @@ let pixel sums at ~samples =
             Running_sum.total (Pixel.stream_sum sums at ~stream ~channel:k))
       in
       if not (Array.for_all Float.is_finite sums) then finite := false;
-      channel ~samples ~sums ~shares
+      if all_equal sums && all_equal shares then (0., 0.)
+      else channel ~samples ~sums ~shares
     in
     let r, r' = of_channel 0
     and g, g' = of_channel 1

@@ -40,12 +40,22 @@ let sized folder name seed =
   let height = Int.max 1 (width * s.height / s.width) in
   { s with width; height; settings = { s.settings with seed } }
 
-type turn = { uniform : float; adaptive : float; spent : float }
+type turn = {
+  uniform : float;
+  adaptive : float;
+  spent : float;  (** time, as a share of the uniform one's *)
+  taken : float;  (** samples, likewise *)
+}
 
 let rms = function
   | None -> nan
   | Some (r : Render.report) ->
       Option.value (Sampling.rms r.sampling) ~default:nan
+
+let samples r =
+  Option.fold ~none:nan
+    ~some:(fun (r : Render.report) -> Sample_map.total r.map)
+    r
 
 let turn folder name ~spp seed =
   let scene = sized folder name seed in
@@ -64,18 +74,25 @@ let turn folder name ~spp seed =
     }
   in
   let spent, adaptive = Turns.processor (render (Adaptive target)) in
-  { uniform = rms uniform; adaptive = rms adaptive; spent = spent /. seconds }
+  {
+    uniform = rms uniform;
+    adaptive = rms adaptive;
+    spent = spent /. seconds;
+    taken = samples adaptive /. samples uniform;
+  }
 
 let row folder (name, spp) =
   let all = List.init turns (turn folder name ~spp) in
   let median f = Turns.median (List.map f all) in
-  Printf.printf "%-14s %4d %9.3f %9.3f %7.2f %7.2f\n%!" name spp
+  Printf.printf "%-14s %4d %9.3f %9.3f %7.2f %7.2f %7.2f\n%!" name spp
     (median (fun t -> t.uniform))
     (median (fun t -> t.adaptive))
     (median (fun t -> t.adaptive /. t.uniform))
     (median (fun t -> t.spent))
+    (median (fun t -> t.taken))
 
-let table folder =
-  Printf.printf "%-14s %4s %9s %9s %7s %7s\n" "scene" "spp" "uniform" "adaptive"
-    "ratio" "time";
-  List.iter (row folder) cases
+let table ~names folder =
+  Printf.printf "%-14s %4s %9s %9s %7s %7s %7s\n" "scene" "spp" "uniform"
+    "adaptive" "ratio" "time" "samples";
+  let wanted (name, _) = names = [] || List.mem name names in
+  List.iter (row folder) (List.filter wanted cases)

@@ -16,7 +16,7 @@ let all profile scenes =
       Naive.table scenes);
   table "What the absence of effects is worth" (fun () -> Absent.table scenes);
   table "Errors of adaptive sampling, beside uniform, in 1/255" (fun () ->
-      Adaptive.table scenes);
+      Adaptive.table ~names:[] scenes);
   table "Size" Memory.table
 
 let () =
@@ -24,6 +24,6 @@ let () =
   | [ _; "memory"; n ] -> Memory.child (int_of_string n)
   | [ _; "naive"; scenes ] -> Naive.table scenes
   | [ _; "absent"; scenes ] -> Absent.table scenes
-  | [ _; "adaptive"; scenes ] -> Adaptive.table scenes
+  | _ :: "adaptive" :: scenes :: names -> Adaptive.table ~names scenes
   | [ _; profile; scenes ] -> all profile scenes
   | _ -> prerr_endline "usage: bench PROFILE|naive|absent|adaptive SCENES"
