@@ -33,7 +33,13 @@ let rec leave (tracer : Tracer.t) tally path d n ray state =
           leave tracer tally path d (n + 1) ray state)
   | Some _ | None -> state.around
 
-let v tracer path (ray : Ray.t) =
-  { entered = []; around = [] }
-  |> leave tracer (Tally.make ()) path ray.direction 0 ray
-  |> List.rev
+let is_body (skin : Candor_optics.Skin.t) = Refraction.is_body skin.material
+
+(* Most rays never come to a body. *)
+let v (tracer : Tracer.t) path (ray : Ray.t) =
+  let tally = Tally.make () in
+  if tracer.meets_any tally path is_body ray then
+    { entered = []; around = [] }
+    |> leave tracer tally path ray.direction 0 ray
+    |> List.rev
+  else []

@@ -8,6 +8,7 @@ type t = {
   nearest : Tally.t -> Path.t -> Ray.t -> hit option;
   within : Tally.t -> Path.t -> limit:float -> Ray.t -> hit option;
   blocked : Tally.t -> Path.t -> limit:float -> Ray.t -> bool;
+  meets_any : Tally.t -> Path.t -> (Skin.t -> bool) -> Ray.t -> bool;
 }
 
 let still surface =
@@ -21,6 +22,9 @@ let still surface =
     blocked =
       (fun tally _ ~limit ray ->
         Surface.blocked surface ~effort:(Tally.effort tally) ~limit ray);
+    meets_any =
+      (fun tally _ kind ray ->
+        Surface.meets_any surface ~effort:(Tally.effort tally) kind ray);
   }
 
 let moving surface =
@@ -37,4 +41,8 @@ let moving surface =
       (fun tally path ~limit ray ->
         let effort = Tally.effort tally and time = path.journey.time in
         Surface.blocked surface ~time ~effort ~limit ray);
+    meets_any =
+      (fun tally (path : Path.t) kind ray ->
+        let effort = Tally.effort tally and time = path.journey.time in
+        Surface.meets_any surface ~time ~effort kind ray);
   }

@@ -1,5 +1,5 @@
-(** The two questions that light paths ask of the scene's surfaces, put by the
-    plan: with the time where something moves, and without elsewhere. *)
+(** The questions that light paths ask of the scene's surfaces, put by the plan:
+    with the time where something moves, and without elsewhere. *)
 
 open Candor_space
 open Candor_optics
@@ -14,6 +14,8 @@ type t = {
       (** the same at t ≤ [limit] *)
   blocked : Tally.t -> Path.t -> limit:float -> Ray.t -> bool;
       (** whether it meets one at t ≤ [limit] *)
+  meets_any : Tally.t -> Path.t -> (Skin.t -> bool) -> Ray.t -> bool;
+      (** whether it meets one of a kind, as if there were no others *)
 }
 
 val still : Skin.t Surface.t -> t

@@ -180,6 +180,13 @@ let rec test_blocked search i surface =
   | Sphere _ | Box _ | Triangle _ | Quadric _ ->
       not (Contact.is_none (meet search i surface))
 
+let rec test_any kind search i surface =
+  match surface with
+  | Group g -> visit g (enter search i g) (test_any kind)
+  | Moving { motion; still } -> test_any kind (follow search motion) i still
+  | Sphere (_, m) | Box (_, m) | Triangle (_, m) | Quadric (_, m) ->
+      kind m && not (Contact.is_none (meet search i surface))
+
 let valid (ray : Ray.t) limit =
   Point.is_finite ray.origin
   && Vec.is_finite ray.direction
@@ -264,3 +271,11 @@ let blocked surface ?time ?effort ~limit ray =
   let blocked = run surface search test_blocked in
   count search.query.cursor effort;
   blocked
+
+let meets_any surface ?time ?effort kind ray =
+  valid ray infinity
+  &&
+  let search = start surface ?time ray infinity in
+  let met = run surface search (test_any kind) in
+  count search.query.cursor effort;
+  met

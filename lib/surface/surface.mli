@@ -65,3 +65,8 @@ val blocked :
   'm t -> ?time:float -> ?effort:Effort.t -> limit:float -> Ray.t -> bool
 (** [blocked s ~limit r] is [nearest s ~limit r <> None], stopping at the first
     hit found. *)
+
+val meets_any :
+  'm t -> ?time:float -> ?effort:Effort.t -> ('m -> bool) -> Ray.t -> bool
+(** [meets_any s kind r] says whether [r] meets at t > 0 any of [s]'s surfaces
+    that carry an [m] with [kind m], as if there were no others. *)

@@ -49,6 +49,17 @@ let scan_agrees { Shapes.shapes; ray } =
       && Surface.blocked group ~limit ray = Option.is_some expected)
     limits
 
+let asks_for_a_kind { Shapes.shapes; ray } =
+  let alone kind =
+    let meets i s =
+      kind i && Surface.blocked (Shapes.surface i s) ~limit:infinity ray
+    in
+    Array.exists Fun.id (Array.mapi meets shapes)
+  and group = Shapes.group shapes in
+  List.for_all
+    (fun kind -> Surface.meets_any group kind ray = alone kind)
+    [ (fun i -> i mod 2 = 0); (fun i -> i mod 3 = 1); Fun.const true ]
+
 let path_is_place { Shapes.shapes; ray } =
   match Surface.nearest (Shapes.group shapes) ray with
   | None -> true
@@ -336,6 +347,9 @@ let suite =
         "G8: a group is met like a linear scan of its members, ties to the \
          lowest place, and blocked where that finds something"
         Shapes.scene scan_agrees;
+      law ~print:Shapes.show_scene
+        "a group meets any of a kind where one of these alone is met"
+        Shapes.scene asks_for_a_kind;
       law ~print:Shapes.show_scene "the path of a member is its place"
         Shapes.scene path_is_place;
       law ~count:2000
