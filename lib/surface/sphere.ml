@@ -118,59 +118,86 @@ let meet_scaled s ray cursor =
   let ray, e = Object_ray.near_one ray in
   meet_carefully s ray ~back:(Float.ldexp 1. (-e)) cursor
 
-let meet_freely s (ray : Object_ray.t) cursor =
+(* Whether the ray surely meets nothing up to t = [limit], by the signs of F =
+   a t^2 + 2 h t + c at both ends. F is off by 2^-48 of [size] at the most, and a
+   root less than 2^-48 beyond [limit] counts as before it. *)
+let[@inline] beyond ~a ~h ~f2 ~r2 limit =
+  let far = a *. limit in
+  let size = f2 +. r2 and far2 = far *. limit in
+  let c = f2 -. r2 in
+  let f = far2 +. (2. *. h *. limit) +. c in
+  let least = 0x1p-46 *. size in
+  let enough = least +. (0x1p-46 *. far2) in
+  if c > least then h >= 0. || (f > enough && far < (1. -. 0x1p-46) *. -.h)
+  else c < -.least && f < -.enough
+
+let meet_freely s (ray : Object_ray.t) (cursor : Cursor.t) =
   let o = ray.origin and d = ray.direction in
-  let o' = ray.origin_low and d' = ray.direction_low in
   let dx = d.x and dy = d.y and dz = d.z in
   let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
   let a = (dx *. dx) +. (dy *. dy) +. (dz *. dz) in
   let h = (fx *. dx) +. (fy *. dy) +. (fz *. dz) in
-  let t = -.h /. a in
-  (* By the fused product, p is on the ray at t up to one rounding. *)
-  let px = Float.fma t dx fx
-  and py = Float.fma t dy fy
-  and pz = Float.fma t dz fz in
   let r2 = s.radius *. s.radius in
   let f2 = (fx *. fx) +. (fy *. fy) +. (fz *. fz) in
-  (* Low parts move p a little, and count for no more than roundings in the
-     rest; unless the origin's are not small beside f. *)
-  let px = px +. (o'.x +. (t *. d'.x))
-  and py = py +. (o'.y +. (t *. d'.y))
-  and pz = pz +. (o'.z +. (t *. d'.z)) in
-  let p2 = (px *. px) +. (py *. py) +. (pz *. pz) in
-  let lost = if ray.exact then 0. else Vec.largest o' in
-  let off = (0x1p-49 *. (s.radius +. sqrt f2)) +. (0x1p-48 *. lost) in
-  let band = (s.radius *. off) +. (off *. off) in
   if
     not
       (a > 0x1p-400 && a < 0x1p400 && r2 > 0x1p-500 && r2 < 0x1p500
      && f2 < 0x1p500
       && f2 < 0x1p60 *. r2)
   then meet_scaled s ray cursor
-  else if p2 > r2 +. band then Contact.none
+  else if ray.exact && beyond ~a ~h ~f2 ~r2 cursor.t then Contact.none
   else
-    (* From near the sphere more hangs on the root of the discriminant. *)
-    let near = not (Float.abs (f2 -. r2) > 0.8 *. f2) in
-    if
-      (* Near its edge the sphere is met with care. *)
-      p2 < (if near then 0.6 else 0.75) *. r2 && lost *. lost <= 0x1p-106 *. f2
-    then
-      let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
-      let g = r2 -. p2 +. (rest *. rest /. a) in
-      let open Error_free in
-      let lx = sum_error o.x (-.s.x) fx +. o'.x
-      and ly = sum_error o.y (-.s.y) fy +. o'.y
-      and lz = sum_error o.z (-.s.z) fz +. o'.z in
-      let low = dot lx ly lz dx dy dz +. dot fx fy fz d'.x d'.y d'.z in
-      let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
-      let c = power s.radius fx fy fz lx ly lz in
-      choose ray h c (sqrt (a *. g)) ~back:1. cursor
-    else meet_carefully s ray ~back:1. cursor
+    let o' = ray.origin_low and d' = ray.direction_low in
+    let t = -.h /. a in
+    (* By the fused product, p is on the ray at t up to one rounding. *)
+    let px = Float.fma t dx fx
+    and py = Float.fma t dy fy
+    and pz = Float.fma t dz fz in
+    (* Low parts move p a little, and count for no more than roundings in the
+       rest; unless the origin's are not small beside f. *)
+    let px = px +. (o'.x +. (t *. d'.x))
+    and py = py +. (o'.y +. (t *. d'.y))
+    and pz = pz +. (o'.z +. (t *. d'.z)) in
+    let p2 = (px *. px) +. (py *. py) +. (pz *. pz) in
+    let lost = if ray.exact then 0. else Vec.largest o' in
+    let off = (0x1p-49 *. (s.radius +. sqrt f2)) +. (0x1p-48 *. lost) in
+    let band = (s.radius *. off) +. (off *. off) in
+    if p2 > r2 +. band then Contact.none
+    else
+      (* From near the sphere more hangs on the root of the discriminant. *)
+      let near = not (Float.abs (f2 -. r2) > 0.8 *. f2) in
+      if
+        (* Near its edge the sphere is met with care. *)
+        p2 < (if near then 0.6 else 0.75) *. r2
+        && lost *. lost <= 0x1p-106 *. f2
+      then
+        let rest = (px *. dx) +. (py *. dy) +. (pz *. dz) in
+        let g = r2 -. p2 +. (rest *. rest /. a) in
+        let open Error_free in
+        let lx = sum_error o.x (-.s.x) fx +. o'.x
+        and ly = sum_error o.y (-.s.y) fy +. o'.y
+        and lz = sum_error o.z (-.s.z) fz +. o'.z in
+        let low = dot lx ly lz dx dy dz +. dot fx fy fz d'.x d'.y d'.z in
+        let h = Float.fma fx dx (Float.fma fy dy (Float.fma fz dz low)) in
+        let c = power s.radius fx fy fz lx ly lz in
+        choose ray h c (sqrt (a *. g)) ~back:1. cursor
+      else meet_carefully s ray ~back:1. cursor
+
+(* Whether the root -2h / a surely lies beyond [limit]. *)
+let beyond_again s (ray : Object_ray.t) limit =
+  let o = ray.origin and d = ray.direction in
+  let fx = o.x -. s.x and fy = o.y -. s.y and fz = o.z -. s.z in
+  let a = (d.x *. d.x) +. (d.y *. d.y) +. (d.z *. d.z) in
+  let h = (fx *. d.x) +. (fy *. d.y) +. (fz *. d.z) in
+  let f2 = (fx *. fx) +. (fy *. fy) +. (fz *. fz) in
+  a > 0x1p-400 && a < 0x1p400 && f2 > 0x1p-400 && f2 < 0x1p500
+  && (a *. limit) +. (0x1p-46 *. ((a *. limit) +. sqrt (a *. f2))) < -2. *. h
 
 (* With the origin on the sphere the equation is t (a t + 2 h) = 0. *)
-let meet_again s ray left cursor =
+let meet_again s (ray : Object_ray.t) left (cursor : Cursor.t) =
   match Contact.side left with
   | Outside -> Contact.none
+  | Inside when ray.exact && beyond_again s ray cursor.t -> Contact.none
   | Inside ->
       Cursor.careful cursor;
       let d, e = Object_ray.pair_near_one ray in
