@@ -52,13 +52,11 @@ let of_scaled a b c =
   { a; b; c; volume; past; beside; half }
 
 let make a b c =
-  let m =
-    Float.max (Vec.largest a) (Float.max (Vec.largest b) (Vec.largest c))
-  in
+  let sizes = Vec.v (Vec.largest a) (Vec.largest b) (Vec.largest c) in
+  let m = Vec.largest sizes in
   if m > 0. && Float.is_finite m then
-    let _, e = Float.frexp m in
-    let near = Vec.ldexp (-e) in
-    of_scaled (near a) (near b) (near c)
+    let e = -Vec.exponent sizes in
+    of_scaled (Vec.ldexp e a) (Vec.ldexp e b) (Vec.ldexp e c)
   else of_scaled Vec.zero Vec.zero Vec.zero
 
 let solid_angle t = 2. *. t.half

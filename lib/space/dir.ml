@@ -8,9 +8,7 @@ let of_vec (a : Vec.t) =
     let a =
       if m > 0x1p-400 && m < 0x1p400 then a
       else
-        let _, e = Float.frexp m in
-        Vec.v (Float.ldexp a.x (-e)) (Float.ldexp a.y (-e))
-          (Float.ldexp a.z (-e))
+        Vec.ldexp (-Vec.exponent a) a
     in
     let n = sqrt (Vec.dot a a) in
     Some (Vec.v (a.x /. n) (a.y /. n) (a.z /. n))

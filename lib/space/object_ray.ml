@@ -62,7 +62,7 @@ let closest r p =
   Vec.along y d (-.Vec.dot y d /. d2)
 
 let near_one r =
-  let _, e = Float.frexp (Vec.largest r.direction) in
+  let e = Vec.exponent r.direction in
   (ldexp ~length:0 ~time:(-e) r, e)
 
 let pair_from r p =

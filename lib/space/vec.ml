@@ -10,7 +10,12 @@ let[@inline] scale k a = v (k *. a.x) (k *. a.y) (k *. a.z)
 let[@inline] along a d t =
   v (Float.fma t d.x a.x) (Float.fma t d.y a.y) (Float.fma t d.z a.z)
 
-let ldexp e a = v (Float.ldexp a.x e) (Float.ldexp a.y e) (Float.ldexp a.z e)
+
+(* Where the power is a normal number, the product is rounded as it should. *)
+let ldexp e a =
+  if -1022 <= e && e <= 1023 then scale (Float.ldexp 1. e) a
+  else v (Float.ldexp a.x e) (Float.ldexp a.y e) (Float.ldexp a.z e)
+
 let[@inline] dot a b = (a.x *. b.x) +. (a.y *. b.y) +. (a.z *. b.z)
 
 let[@inline] cross a b =
@@ -27,6 +32,13 @@ let largest a =
   let m = if x > y then x else y in
   if m > z then m else z
 
+(* The exponent's own bits; where they are 0 the number is not normal. *)
+let exponent a =
+  let m = largest a in
+  let bits = Int64.bits_of_float m in
+  let e = Int64.to_int (Int64.shift_right_logical bits 52) land 0x7ff in
+  if e = 0 || e = 0x7ff then snd (Float.frexp m) else e - 1022
+
 (* Squares of numbers in this range neither overflow nor lose their bits. *)
 let safe m = m > 0x1p-400 && m < 0x1p400
 
@@ -35,7 +47,7 @@ let norm a =
   if m = 0. || not (Float.is_finite m) then m
   else if safe m then sqrt (dot a a)
   else
-    let _, e = Float.frexp m in
+    let e = exponent a in
     let a = ldexp (-e) a in
     Float.ldexp (sqrt (dot a a)) e
 

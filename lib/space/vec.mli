@@ -46,6 +46,10 @@ val norm1 : t -> float
 val largest : t -> float
 (** [largest a] is the greatest of the absolute components. *)
 
+val exponent : t -> int
+(** [exponent a] is the least e with [largest a] < 2^e; 0 if that is 0 or not
+    finite. *)
+
 val is_finite : t -> bool
 (** [is_finite a] is [true] iff no component is infinite or not a number. *)
 

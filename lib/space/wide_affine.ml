@@ -91,7 +91,7 @@ let of_rows (xx, xy, xz, xt) (yx, yy, yz, yt) (zx, zy, zz, zt) =
    and huge scales neither underflow nor overflow. *)
 let inverse m =
   let near_one v =
-    let e = snd (Float.frexp (Vec.largest v)) in
+    let e = Vec.exponent v in
     (Unrounded.vec (Vec.ldexp (-e) v), e)
   in
   let { Affine.x; y; z; t } = Affine.columns m in
