@@ -159,8 +159,7 @@ let probe (ray : Object_ray.t) =
     iz;
   }
 
-let visit h ray cursor context test =
-  let probe = probe ray in
+let visit h probe cursor context test =
   let end_of i = if i >= 0. then 0 else 1 in
   let w =
     {

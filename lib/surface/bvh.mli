@@ -16,15 +16,21 @@ val make : bounds:('a -> Bounds.t) -> 'a array -> 'a t
 val bounds : 'a t -> Bounds.t
 (** [bounds h] is a box that holds every item; empty if there is none. *)
 
+type probe
+(** A ray as boxes are met by it. *)
+
+val probe : Object_ray.t -> probe
+(** [probe ray] serves for all hierarchies that [ray] is to visit. *)
+
 val visit :
   'a t ->
-  Object_ray.t ->
+  probe ->
   Cursor.t ->
   'context ->
   ('context -> int -> 'a -> bool) ->
   bool
-(** [visit h ray cursor context test] calls [test context i item] on every item
-    whose bounds [ray] meets at 0 ≤ t ≤ cursor.t, nearer ones first as far as
+(** [visit h (probe ray) cursor context test] calls [test context i item] on
+    every item whose bounds [ray] meets at 0 ≤ t ≤ cursor.t, nearer ones first as far as
     the tree knows, until one answers [true] or none is left; it is whether one
     did. [i] is the item's index in what {!make} was given. [test] may move
     [cursor]; boxes beyond it are passed over.

@@ -66,6 +66,7 @@ let cover surface ~depth =
 
 type 'm search = {
   ray : Object_ray.t;
+  probe : Bvh.probe; (* of [ray] *)
   math : Math.t;
   rest : int list;
       (* the way from here to the surface that the ray left; [] if none *)
@@ -99,14 +100,16 @@ let inside (group : _ group) ray =
   | Some m, Stable -> Object_ray.through (Transform.backward m) ray
   | Some m, Textbook -> Textbook.group m ray
 
-let enter { ray; rest; way; query; _ } i group =
+let enter { ray; probe; rest; way; query; _ } i group =
   let rest =
     match rest with
     | k :: (_ :: _ as rest) when k = i -> rest
     | [] | _ :: _ -> []
   in
+  let here = inside group ray in
   {
-    ray = inside group ray;
+    ray = here;
+    probe = (if here == ray then probe else Bvh.probe here);
     math = group.math;
     rest;
     way = Within { index = i; transform = group.transform; around = way };
@@ -122,7 +125,7 @@ let follow search motion =
       | Stable -> Motion.follow by search.ray
       | Textbook -> Textbook.moved by search.ray
     in
-    { search with ray; way = Moved { by; around = search.way } }
+    { search with ray; probe = Bvh.probe ray; way = Moved { by; around = search.way } }
 
 let meet_stably { ray; query = { cursor; _ }; _ } left surface =
   match surface with
@@ -148,7 +151,7 @@ let meet search i surface =
   | Textbook -> meet_by_textbook search surface
 
 let visit group search test =
-  Bvh.visit group.members search.ray search.query.cursor search test
+  Bvh.visit group.members search.probe search.query.cursor search test
 
 (* Whether a place comes before that of what was found so far. *)
 let earlier search i =
@@ -214,8 +217,10 @@ let start surface ?time (ray : Ray.t) limit =
   in
   let math = math_of surface in
   let cursor = cursor math ?time ray limit in
+  let ray = Object_ray.of_ray ray in
   {
-    ray = Object_ray.of_ray ray;
+    ray;
+    probe = Bvh.probe ray;
     math;
     rest;
     way = Outermost;

@@ -29,7 +29,7 @@ let meets_box (b : Bounds.t) ray =
       Q.leq (Q.max Q.zero near) far
   | _ -> false
 
-let probe (r : Ray.t) = Object_ray.v r.origin r.direction
+let probe (r : Ray.t) = Bvh.probe (Object_ray.v r.origin r.direction)
 
 let visited boxes (ray : Ray.t) =
   let h = Bvh.make ~bounds:Fun.id boxes in
@@ -130,7 +130,7 @@ let far_boxes_are_passed_over () =
   let stopped =
     let ray = Object_ray.v (p 0.5 0.5 (-1.)) (v 0. 0. 1.) in
     let here = Contact.v ~part:0 Outside in
-    Bvh.visit h ray cursor () (fun () i _ ->
+    Bvh.visit h (Bvh.probe ray) cursor () (fun () i _ ->
         incr count;
         ignore (Cursor.take cursor (float_of_int (i + 1)) here : Contact.t);
         false)
