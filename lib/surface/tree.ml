@@ -13,7 +13,7 @@ let bins = 16
 let most_in_leaf = 4
 
 (* What meeting a node costs, in units of testing one item. *)
-let node_cost = 1.
+let node_cost = 0.5
 
 (* Deeper than this, items are divided by number. *)
 let sah_depth = 40
