@@ -25,6 +25,7 @@ let command =
        Render_command.command;
        Check_command.command;
        Explain_command.command;
+       Cost_command.command;
        Trace_command.command;
        Cast_command.command;
        Diff_command.command;

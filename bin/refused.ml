@@ -42,8 +42,5 @@ let command (name, doc, options) =
 let commands =
   List.map command
     [
-      ( "cost",
-        "print what accuracy costs in time",
-        [ "budget"; "csv"; "html"; "size"; "spp"; "depth"; "seed"; "j" ] );
       ("merge", "join the parts of a picture", [ "o"; "output" ]);
     ]

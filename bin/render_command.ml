@@ -23,7 +23,6 @@ type options = {
 }
 
 let usage why = Error (Status.Usage why)
-let wrong result = Result.map_error (fun why -> Status.Wrong why) result
 
 let target o =
   match o.output with
@@ -46,32 +45,6 @@ let window o (s : Scene.t) =
            s.width s.height)
   | Some w -> Ok w
 
-(* The first signal asks the rows to stop; files are left as they were. *)
-let stop_on_signals () =
-  let stopped = Atomic.make false in
-  let handle = Sys.Signal_handle (fun _ -> Atomic.set stopped true) in
-  List.iter (fun s -> Sys.set_signal s handle) Sys.[ sigint; sigterm; sighup ];
-  fun () -> Atomic.get stopped
-
-(* [writing name f] is [f file]. Unless that ends well, for whatever reason,
-   nothing is left of [file]. *)
-let writing name f =
-  let* file = wrong (Output.open_ name) in
-  match f file with
-  | Ok _ as fine -> fine
-  | Error _ as e ->
-      Output.discard file;
-      e
-  | exception e ->
-      Output.discard file;
-      raise e
-
-let writing_also name f =
-  match name with
-  | None -> f (fun _ -> Ok ())
-  | Some name ->
-      writing name (fun file -> f (fun text -> wrong (Output.commit file text)))
-
 (* {1 Numbers of samples} *)
 
 let read_map file =
@@ -85,7 +58,7 @@ let read_map file =
         (Sample_map.of_string text))
 
 let mapped file (s : Scene.t) window =
-  let* map = wrong (read_map file) in
+  let* map = Files.wrong (read_map file) in
   if Sample_map.(width map <> s.width || height map <> s.height) then
     Error
       (Status.Wrong
@@ -159,16 +132,16 @@ let run o =
   let* window = window o scene in
   let* samples = samples o format scene window in
   (* From here on there are files that an interrupt must not leave behind. *)
-  let stop = stop_on_signals () in
-  writing name @@ fun file ->
-  writing_also o.stats @@ fun write_stats ->
-  writing_also o.save_map @@ fun write_map ->
+  let stop = Files.stop_on_signals () in
+  Files.writing name @@ fun file ->
+  Files.writing_some o.stats @@ fun write_stats ->
+  Files.writing_some o.save_map @@ fun write_map ->
   match trace o ~stop ~samples scene window with
   | None ->
       Error (Status.Interrupted ("interrupted; " ^ name ^ " was not written"))
   | Some (plan, report) ->
       let text = Picture_file.encode format ~binary:o.binary report.picture in
-      let* () = wrong (Output.commit file text) in
+      let* () = Files.wrong (Output.commit file text) in
       let* () =
         write_stats
           (Json.to_string
@@ -201,14 +174,6 @@ let crop =
   in
   Arg.Conv.make ~docv:"X0,Y0,X1,Y1" ~parser:parse ~pp ()
 
-let domains =
-  let parse s =
-    match int_of_string_opt s with
-    | Some n when n >= 1 && n <= 128 -> Ok n
-    | Some _ | None -> Error ("'" ^ s ^ "': expected a number from 1 to 128")
-  in
-  Arg.Conv.make ~docv:"N" ~parser:parse ~pp:Format.pp_print_int ()
-
 let optional names kind docv doc =
   Arg.(value & opt (some kind) None & info names ~docv ~doc)
 
@@ -223,11 +188,6 @@ let crop =
   optional [ "crop" ] crop "X0,Y0,X1,Y1"
     "Render only this window of the picture, upper bounds exclusive; its \
      pixels are exactly those of the full picture."
-
-let domains =
-  optional [ "j" ] domains "N"
-    "How many domains (cores) work at once; default all. The picture does not \
-     depend on it."
 
 let confidence =
   let parse s =
@@ -287,7 +247,7 @@ let term =
     match run o with Ok status | Error status -> status
   in
   Term.(
-    const make $ Settings.scene $ output $ Settings.term $ domains $ crop
+    const make $ Settings.scene $ output $ Settings.term $ Settings.domains $ crop
     $ confidence $ sample_map $ save_map $ Settings.all_effects $ Settings.math
     $ binary $ stats $ quiet $ Refused.options)
 

@@ -106,6 +106,19 @@ let time =
     "Spend this time, such as $(b,30s) or $(b,5m), reading and writing \
      included, on as many samples as it allows, where they are needed."
 
+let domain_count =
+  let parse s =
+    match int_of_string_opt s with
+    | Some n when n >= 1 && n <= 128 -> Ok n
+    | Some _ | None -> Error ("'" ^ s ^ "': expected a number from 1 to 128")
+  in
+  Arg.Conv.make ~docv:"N" ~parser:parse ~pp:Format.pp_print_int ()
+
+let domains =
+  option [ "j" ] domain_count "N"
+    "How many domains (cores) work at once; default all. The picture does not \
+     depend on it."
+
 let term =
   let make size spp depth cutoff seed filter error time =
     { size; spp; depth; cutoff; seed; filter; error; time }

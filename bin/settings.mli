@@ -19,6 +19,12 @@ val warnings : t -> Candor_effect.Plan.t -> Scene.t -> string list
 (** [warnings o plan s] says which effects that [s] calls for [o] switches off.
 *)
 
+val domains : int option Cmdliner.Term.t
+(** [domains] is [-j]. *)
+
+val duration : float Cmdliner.Arg.conv
+(** [duration] is a time in seconds, above 0. *)
+
 val scene : string Cmdliner.Term.t
 (** [scene] is the one scene file that a command works on. *)
 

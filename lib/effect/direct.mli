@@ -18,6 +18,9 @@ val describe : Light.t -> string
 val shines : Light.t -> bool
 (** [shines l] is [true] iff [l] is not black. *)
 
+val describe : Light.t -> string
+(** [describe l] is what kind of light [l] is, in words. *)
+
 (** {1 How surfaces show it} *)
 
 type shading = {

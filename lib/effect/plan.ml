@@ -43,12 +43,13 @@ let bound effects (scene : Scene.t) =
             Unbounded { why = "under indirect light paths end by chance alone" }
       )
 
-let make scene ~forced extra =
+let make ?omitted scene ~forced extra =
   let otherwise e =
     if List.exists (Effect.equal e) extra then Forced else Off
   in
   let status e =
     match Effect.calls e scene with
+    | _ when Option.equal Effect.equal omitted (Some e) -> Off
     | [] -> otherwise e
     | _ :: _ as reasons -> Called reasons
   in
@@ -59,6 +60,7 @@ let make scene ~forced extra =
 let of_scene scene = make scene ~forced:false []
 let forcing effects scene = make scene ~forced:false effects
 let all scene = make scene ~forced:true Effect.all
+let without e scene = make ~omitted:e scene ~forced:false []
 let is_forced plan = plan.forced
 let status plan = status_in plan.effects
 
@@ -162,7 +164,8 @@ let parts plan (scene : Scene.t) surface =
   }
 
 let goes_on p (vertex : Term.vertex) =
-  if p.bounces then vertex.path.depth < Scene.depth p.scene
+  if p.bounces then
+    is_on p.plan Indirect && vertex.path.depth < Scene.depth p.scene
   else Option.is_some vertex.lobes.gloss
 
 let soft_shadows p =
@@ -237,7 +240,8 @@ let scatter_in_bodies p : Subsurface.scatter =
   let reaches (lamp : Direct.lamp) =
     Subsurface.may_reach ~moving p.tracer lamp.light
   in
-  Direct.scattered ?veil:p.veil (List.filter reaches p.lamps)
+  let lamps = if is_on p.plan Direct then p.lamps else [] in
+  Direct.scattered ?veil:p.veil (List.filter reaches lamps)
 
 let segment p : Effect.t -> Segment.t option = function
   | Absorption -> Some Absorption.segment

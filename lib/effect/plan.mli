@@ -21,6 +21,10 @@ val all : Scene.t -> t
 (** [all s] has every effect on. {b Law.} It renders the same bits as
     [of_scene s]. *)
 
+val without : Effect.t -> Scene.t -> t
+(** [without e s] is [of_scene s] with [e] off although [s] calls for it: what
+    is left is assembled as if [e] were unknown. *)
+
 val status : t -> Effect.t -> status
 
 val is_on : t -> Effect.t -> bool

@@ -1,0 +1,3 @@
+(** [candor cost]. *)
+
+val command : Status.t Cmdliner.Cmd.t
