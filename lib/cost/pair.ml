@@ -79,7 +79,12 @@ let estimate values =
   in
   { value; deviation }
 
-let score e = if e.value = 0. then 0. else e.value /. e.deviation
+(* Sums in another order round otherwise: less than this, in levels or their
+   squares, is no change. *)
+let dust = 0x1p-20
+
+(* By how many standard errors it is off 0. *)
+let score e = if Float.abs e.value < dust then 0. else e.value /. e.deviation
 
 let same (a : Measure.t) (b : Measure.t) = Picture.equal a.picture b.picture
 let sure = Normal.quantile 0.999
@@ -104,7 +109,7 @@ let change ~base p =
   {
     equal = same p.first base.first && same p.second base.second;
     loss = root common.value;
-    bound = root (common.value +. (likely *. common.deviation));
+    bound = root (Float.max 0. common.value +. (likely *. common.deviation));
     noisier;
     quieter = noise < -.sure;
     shows = noisier || score common > sure || List.exists shifts [ 0; 1; 2 ];

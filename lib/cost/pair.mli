@@ -44,7 +44,7 @@ val spread : t -> floatarray
 type change = {
   equal : bool;  (** every pixel has the same bits, in both sets *)
   loss : float;  (** the root mean square of what changes in the mean, at least 0 *)
-  bound : float;  (** what [loss] is below with a confidence of .95 *)
+  bound : float;  (** what [loss] is below with a confidence of .95 at least *)
   noisier : bool;  (** whether noise grows beyond chance *)
   quieter : bool;  (** whether it shrinks *)
   shows : bool;  (** whether the mean changes beyond chance, or noise grows *)

@@ -9,14 +9,18 @@ type t = {
   scene : Scene.t;
   plan : Scene.t -> Plan.t;
   math : Math.t;
+  sampler : Sampler.t;
 }
 
 type seeding = First | Second
 
 let setting v = v.setting
 
-let v ?(math = Math.Stable) ?(plan = Plan.of_scene) setting scene =
-  { setting; scene; plan; math }
+let usual = Sampler.Sobol
+
+let v ?(math = Math.Stable) ?(plan = Plan.of_scene) ?(sampler = usual) setting
+    scene =
+  { setting; scene; plan; math; sampler }
 
 let own scene n = v (Samples n) scene
 
@@ -68,9 +72,14 @@ let cutoffs (scene : Scene.t) =
       |> List.map at
   | (Steps _ | Unbounded _), _ -> []
 
+let samplers scene =
+  Sampler.all
+  |> List.filter (fun sampler -> not (Sampler.equal sampler usual))
+  |> List.map (fun sampler -> v ~sampler (Sampler sampler) scene)
+
 let others scene =
   (v ~math:Textbook Naive_math scene :: lights scene)
-  @ effects scene @ depths scene @ cutoffs scene
+  @ effects scene @ depths scene @ cutoffs scene @ samplers scene
 
 let second seed =
   (Key.v ~seed ~x:0 ~y:0 ~sample:0 ~bounce:0 Path :> int)
@@ -83,4 +92,5 @@ let compile variant ~spp seeding =
         in
         { s with spp; seed })
   in
-  Pixel.compile ~plan:(variant.plan scene) ~math:variant.math scene
+  Pixel.compile ~plan:(variant.plan scene) ~math:variant.math ~sampler:variant.sampler
+    scene

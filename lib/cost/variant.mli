@@ -15,7 +15,8 @@ val own : Scene.t -> int -> t
 
 val others : Scene.t -> t list
 (** [others s] are all settings but samples that say something about [s]: naive
-    math, no single light, no single effect, lesser depth, cutoff. *)
+    math, no single light, no single effect, lesser depth, a cutoff, another
+    sampler. *)
 
 val compile : t -> spp:int -> seeding -> Pixel.t
 (** [compile v ~spp seeding] is [v] made ready to render at [spp]. *)

@@ -92,11 +92,18 @@ let one ~pixels ~seconds ~most file =
           | Some q -> report file scene p q
           | None -> Printf.printf "%-20s no error can be paid for\n%!" file))
 
+let scenes folder =
+  Sys.readdir folder |> Array.to_list
+  |> List.filter (fun name -> Filename.check_suffix name ".scene")
+  |> List.sort String.compare
+  |> List.map (Filename.concat folder)
+
 let () =
   match Array.to_list Sys.argv with
-  | _ :: pixels :: seconds :: most :: files ->
+  | _ :: pixels :: seconds :: most :: names ->
       let pixels = int_of_string pixels
       and seconds = float_of_string seconds
       and most = float_of_string most in
-      List.iter (one ~pixels ~seconds ~most) files
+      let files name = if Sys.is_directory name then scenes name else [ name ] in
+      List.iter (one ~pixels ~seconds ~most) (List.concat_map files names)
   | _ -> prerr_endline "prices PIXELS BUDGET MOST-SECONDS SCENE..."
