@@ -8,6 +8,7 @@ let () =
       Test_interrupt.suite;
       Test_check.suite;
       Test_explain.suite;
+      Test_cost.suite;
       Test_trace.suite;
       Test_cast.suite;
       Test_diff.suite;

@@ -32,13 +32,15 @@ let helps () =
         ] );
       ("check", [ "SCENE" ]);
       ("explain", [ "SCENE"; "--json"; "--depth" ]);
+      ( "cost",
+        [ "SCENE"; "--budget"; "--csv"; "--html"; "-j N"; "--spp"; "--quiet" ] );
       ("trace", [ "SCENE"; "X"; "Y"; "--sample"; "--naive-math" ]);
       ("cast", [ "SCENE"; "--hex"; "tmax"; "--naive-math" ]);
       ("diff", [ "A"; "B"; "--json"; "--threshold" ]);
     ];
   let r = fine [ "--help" ] in
   List.iter (mentions r.out)
-    [ "render"; "check"; "explain"; "trace"; "cast"; "diff"; "130" ]
+    [ "render"; "check"; "explain"; "cost"; "trace"; "cast"; "diff"; "130" ]
 
 let wrong_lines () =
   fails 2 "COMMAND" [];
@@ -47,7 +49,7 @@ let wrong_lines () =
     (fun c ->
       fails 2 "SCENE" [ c ];
       fails 2 "unknown option" [ c; "s.scene"; "--frob" ])
-    [ "render"; "check"; "explain"; "cast"; "trace" ];
+    [ "render"; "check"; "explain"; "cost"; "cast"; "trace" ];
   fails 2 "unknown option" [ "render"; "s.scene"; "--hex" ];
   List.iter
     (fun c -> fails 2 "unknown option" [ c; "s.scene"; "--naive-math" ])
@@ -102,6 +104,10 @@ let wrong_values () =
   List.iter
     (fun v -> fails 2 "-j" [ "render"; "s.scene"; "-j"; v ])
     [ "0"; "x"; "1000"; "1.5" ];
+  List.iter
+    (fun v -> fails 2 "--budget" [ "cost"; "s.scene"; "--budget"; v ])
+    [ "0"; "0s"; "x"; ""; "s"; "20x"; "1e3"; "nan"; "inf"; "0x10"; "1 s"; "1.2.3" ];
+  fails 2 "" [ "cost"; "s.scene"; "--budget=-1" ];
   fails 2 "" [ "render"; "s.scene"; "-j"; "-1" ];
   fails 2 ".ppm" [ "render"; "s.scene"; "-o"; "a.jpg" ];
   fails 2 "" [ "render"; "s.scene"; "-o"; "noextension" ];
@@ -127,9 +133,6 @@ let not_yet () =
   List.iter
     (fun option -> refused [ "render"; "s.scene"; option ])
     [ "--resume" ];
-  refused [ "cost"; "s.scene" ];
-  refused [ "cost"; "s.scene"; "--budget"; "20s" ];
-  refused [ "cost"; "s.scene"; "--csv"; "f"; "--html"; "g" ];
   refused [ "merge"; "a"; "b"; "-o"; "c.ppm" ];
   mentions (run [ "render"; "s.scene"; "--error"; "1" ]).err "--error";
   check_entries "nothing is written" [ "s.scene" ]

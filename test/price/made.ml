@@ -22,33 +22,53 @@ let measure ?(seconds = 1.) values : Measure.t =
 let pair ?seconds first second : Pair.t =
   { first = measure ?seconds first; second = measure ?seconds second }
 
-let random = Random.State.make [| 11 |]
-
-let normal () =
+let normal random =
   let u = 1. -. Random.State.float random 1. in
   sqrt (-2. *. log u) *. cos (Random.State.float random (2. *. Float.pi))
 
-(** [noisy deviation truth] is [truth] with that much noise. *)
-let noisy deviation truth =
-  Array.map (fun x -> x +. (deviation *. normal ())) truth
+(** [noisy random deviation truth] is [truth] with that much noise. *)
+let noisy random deviation truth =
+  Array.map (fun x -> x +. (deviation *. normal random)) truth
 
-let noisy_pair ?seconds deviation truth =
-  pair ?seconds (noisy deviation truth) (noisy deviation truth)
+let noisy_pair random deviation truth =
+  let first = noisy random deviation truth in
+  pair first (noisy random deviation truth)
 
 let domains = 1
 
 (** [survey ~seconds scene] is what can be measured in that time. *)
-let survey ?(seconds = 0.6) ?(stop = fun () -> false) scene =
+let survey ?(seconds = 0.4) ?(stop = fun () -> false) scene =
   let budget = Budget.start seconds in
   Survey.run { scene; domains; budget; stop; progress = ignore }
 
-(** [prices ~seconds scene] is its price list. *)
-let prices ?(seconds = 0.6) scene =
+(** [prices ~seconds scene] is its price list, made in that time, or as much more
+    as this machine needs to get through all settings. *)
+let rec prices ?(seconds = 0.3) scene =
   let budget = Budget.start seconds in
-  match
-    Survey.run
-      { scene; domains; budget; stop = (fun () -> false); progress = ignore }
-  with
+  let stop () = false in
+  match Survey.run { scene; domains; budget; stop; progress = ignore } with
+  | None -> Alcotest.fail "nothing was measured"
+  | Some { missing = _ :: _; _ } when seconds < 20. ->
+      prices ~seconds:(2. *. seconds) scene
+  | Some survey ->
+      Appraisal.v scene ~file:"made.scene" ~domains budget survey
+
+(** [hurried scene] is the list made in no time. *)
+let hurried scene =
+  let budget = Budget.start 1e-6 in
+  let stop () = false in
+  match Survey.run { scene; domains; budget; stop; progress = ignore } with
   | None -> Alcotest.fail "nothing was measured"
   | Some survey ->
       Appraisal.v scene ~file:"made.scene" ~domains budget survey
+
+(** [eventually name scene holds] is the test that [holds] is true of the price
+    list of [scene] if enough time is given: too little leaves too few pixels,
+    and too much noise, to tell. *)
+let eventually name scene holds =
+  let rec within seconds =
+    if not (holds (prices ~seconds scene)) then
+      if seconds > 8. then Alcotest.failf "not so: %s" name
+      else within (2. *. seconds)
+  in
+  within 0.3

@@ -37,11 +37,15 @@ let behind =
     "(box (min -9 -9 -1) (max 9 9 0) (material (matte (color (checker .2 .8)))))";
   ]
 
+let nothing what p = is_for_nothing (row p what)
+let needed what p = is_needed (row p what)
+
 let lights () =
-  let p = Made.prices (Written.scene behind) in
+  let scene = Written.scene behind in
+  Made.eventually "one lights nothing, one is needed" scene (fun p ->
+      nothing (light 4) p && needed (light 3) p);
+  let p = Made.prices scene in
   let idle = row p (light 4) and busy = row p (light 3) in
-  check "one lights nothing" true (is_for_nothing idle);
-  check "one is needed" true (is_needed busy);
   (match idle.setting with
   | Without_light { place; _ } ->
       Alcotest.(check string)
@@ -51,17 +55,15 @@ let lights () =
   if busy.loss < 5. then Alcotest.failf "%g is lost" busy.loss
 
 let effects () =
-  let p = Made.prices (Written.scene behind) in
-  check "direct light is needed" true (is_needed (row p (without Direct)));
-  check "textures are" true (is_needed (row p (without Textures)));
+  Made.eventually "direct light and textures are needed"
+    (Written.scene behind) (fun p ->
+      needed (without Direct) p && needed (without Textures) p);
   let front = List.filteri (fun i _ -> i <> 2) behind in
-  let p = Made.prices (Written.scene front) in
-  check "shadows fall nowhere" true (is_for_nothing (row p (without Shadows)));
-  let p =
-    Made.prices
-      (Written.scene (front @ [ "(sphere (center 0 0 1) (radius .3))" ]))
-  in
-  check "shadows fall" true (is_needed (row p (without Shadows)))
+  Made.eventually "shadows fall nowhere" (Written.scene front)
+    (nothing (without Shadows));
+  Made.eventually "shadows fall"
+    (Written.scene (front @ [ "(sphere (center 0 0 1) (radius .3))" ]))
+    (needed (without Shadows))
 
 (* Lights are chosen at random: a picture without one has other noise. *)
 let by_chance () =
@@ -71,12 +73,12 @@ let by_chance () =
         "(image (size 20 20)) " ^ Written.flat_camera;
         "(sphere (center 2 2 3) (radius .5) (material (emitter (radiance 9))))";
         "(sphere (center 0 0 -9) (radius .5) (material (emitter (radiance 9))))";
-        "(box (min -9 -9 -1) (max 9 9 0) (material (glazed (color .5) (mirror .1))))";
+        "(box (min -9 -9 -1) (max 9 9 0) (material (glazed (color .5) (mirror \
+         .1))))";
       ]
   in
-  let p = Made.prices ~seconds:1.5 scene in
-  check "one is behind the wall" true (is_for_nothing (row p (light 4)));
-  check "one is needed" true (is_needed (row p (light 3)))
+  Made.eventually "one is behind the wall, one is needed" scene (fun p ->
+      nothing (light 4) p && needed (light 3) p)
 
 let room =
   [
@@ -131,7 +133,7 @@ let sure () =
     (List.filter (fun (r : Price.row) -> r.spp > 1) p.ladder)
 
 let alone () =
-  let p = Made.prices ~seconds:1e-6 (Written.scene room) in
+  let p = Made.hurried (Written.scene room) in
   Alcotest.(check int) "one rung" 1 (List.length p.ladder);
   check "of unknown error" true
     (Float.is_nan (List.hd p.ladder).measure.rms)

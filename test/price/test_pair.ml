@@ -2,6 +2,7 @@ open Candor_oracle
 open Candor_image
 open Candor_cost
 
+let noisy_pair = Made.noisy_pair (Random.State.make [| 5 |])
 let truth n = Array.init (3 * n) (fun i -> 60. +. float_of_int (i mod 97))
 
 let near name ~by expected found =
@@ -12,7 +13,7 @@ let near name ~by expected found =
    too great. *)
 let unbiased () =
   let truth = truth 20000 in
-  let finest = Made.noisy_pair 1. truth and rung = Made.noisy_pair 2. truth in
+  let finest = noisy_pair 1. truth and rung = noisy_pair 2. truth in
   let of_rung = Pair.error ~finest rung
   and of_finest = Pair.error ~finest finest in
   near "rms" ~by:0.02 2. of_rung.rms;
@@ -26,10 +27,10 @@ let unbiased () =
 
 let biased () =
   let truth = truth 20000 in
-  let finest = Made.noisy_pair 1. truth in
+  let finest = noisy_pair 1. truth in
   let dark = Array.map (fun x -> x -. 3.) truth in
   near "bias counts" ~by:0.02 (sqrt 10.)
-    (Pair.error ~finest (Made.noisy_pair 1. dark)).rms
+    (Pair.error ~finest (noisy_pair 1. dark)).rms
 
 let exact () =
   let truth = truth 30 in
@@ -41,7 +42,7 @@ let exact () =
 let change a b = Pair.change ~base:a b
 
 let equal () =
-  let base = Made.noisy_pair 2. (truth 500) in
+  let base = noisy_pair 2. (truth 500) in
   let c = change base base in
   Alcotest.(check bool) "equal" true c.equal;
   Alcotest.(check bool) "shows" false c.shows;
@@ -50,10 +51,10 @@ let equal () =
 
 let unlike () =
   let truth = truth 3000 in
-  let base = Made.noisy_pair 2. truth in
+  let base = noisy_pair 2. truth in
   let found = ref 0 in
   for _ = 1 to 100 do
-    let c = change base (Made.noisy_pair 2. truth) in
+    let c = change base (noisy_pair 2. truth) in
     Alcotest.(check bool) "not equal" false c.equal;
     if c.shows then incr found
   done;
@@ -61,25 +62,25 @@ let unlike () =
 
 let seen () =
   let truth = truth 3000 in
-  let base = Made.noisy_pair 2. truth in
+  let base = noisy_pair 2. truth in
   let shows name pair =
     let c = change base pair in
     Alcotest.(check bool) name true c.shows;
     c
   in
   let moved by = Array.map (fun x -> x +. by) truth in
-  let lost = shows "darker" (Made.noisy_pair 2. (moved (-5.))) in
+  let lost = shows "darker" (noisy_pair 2. (moved (-5.))) in
   near "loss" ~by:0.05 5. lost.loss;
   if lost.bound < 5. then Alcotest.failf "the bound is %g" lost.bound;
-  let slight = shows "a little darker" (Made.noisy_pair 2. (moved (-0.3))) in
+  let slight = shows "a little darker" (noisy_pair 2. (moved (-0.3))) in
   Alcotest.(check bool) "noise alone is no loss" true (slight.loss < 0.7);
   let few = Array.mapi (fun i x -> if i < 30 then x +. 80. else x) truth in
   near "a few pixels" ~by:0.05
     (80. /. sqrt 300.)
-    (shows "a few pixels" (Made.noisy_pair 2. few)).loss;
-  let noisier = shows "noisier" (Made.noisy_pair 3. truth) in
+    (shows "a few pixels" (noisy_pair 2. few)).loss;
+  let noisier = shows "noisier" (noisy_pair 3. truth) in
   Alcotest.(check bool) "noisier" true (noisier.noisier && noisier.loss < 0.5);
-  let quieter = change base (Made.noisy_pair 1. truth) in
+  let quieter = change base (noisy_pair 1. truth) in
   Alcotest.(check bool) "quieter" true (quieter.quieter && not quieter.noisier)
 
 let wrong () =

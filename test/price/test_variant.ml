@@ -113,6 +113,6 @@ let suite =
       Law.example "settings are those that say something" listed;
       Law.example "two sets of samples have two seeds" seeded;
       Law.example "a scene without a light lacks it" less;
-      Law.law ~count:8 ~print:Scene.show "all settings of any scene render"
+      Law.law ~count:5 ~print:Scene.show "all settings of any scene render"
         (Rich.scene Loose) renders;
     ] )

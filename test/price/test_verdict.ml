@@ -3,13 +3,14 @@ open Candor_scene
 open Candor_effect
 open Candor_cost
 
-let truth = Array.init 3000 (fun i -> 60. +. float_of_int (i mod 97))
+let noisy_pair = Made.noisy_pair (Random.State.make [| 6 |])
+let truth = Array.init 60000 (fun i -> 60. +. float_of_int (i mod 97))
 let light = Price.Without_light { name = "x"; place = Place.unknown }
 let fog = Price.Without_effect { absent = Effect.Fog; reasons = [] }
-let base = Made.noisy_pair 2. truth
+let base = noisy_pair 2. truth
 let darker by = Array.map (fun x -> x -. by) truth
 
-let finest = Made.noisy_pair 0.1 truth
+let finest = noisy_pair 0.1 truth
 
 let verdict setting ~saved pair =
   (Verdict.v setting ~law:None ~finest ~base pair ~share:0.25 ~saved)
@@ -37,21 +38,22 @@ let parts () =
   List.iter
     (fun setting ->
       check "same bits" setting ~saved:0.1 base "paid for nothing";
-      check "other noise" setting ~saved:0.1 (Made.noisy_pair 2. truth)
+      check "other noise" setting ~saved:0.1 (noisy_pair 2. truth)
         "paid for nothing";
-      check "much darker" setting ~saved:0.9 (Made.noisy_pair 2. (darker 3.))
+      check "much darker" setting ~saved:0.9 (noisy_pair 2. (darker 3.))
         "needed";
       check "hardly darker" setting ~saved:0.2 (same_noise 0.1) "saves 0.20";
       check "hardly darker, no faster" setting ~saved:0. (same_noise 0.1)
         "needed";
-      check "noisier" setting ~saved:0.2 (Made.noisy_pair 3. truth) "needed")
+      check "noisier" setting ~saved:0.2 (noisy_pair 3. truth) "needed")
     [ light; fog ]
 
 (* Noise so great that nothing can be said is no verdict against a light. *)
 let unknown () =
-  let base = Made.noisy_pair 60. truth in
+  let truth = Array.sub truth 0 3000 in
+  let base = noisy_pair 60. truth in
   let v =
-    Verdict.v light ~law:None ~finest:base ~base (Made.noisy_pair 60. truth)
+    Verdict.v light ~law:None ~finest:base ~base (noisy_pair 60. truth)
       ~share:1. ~saved:0.1
   in
   Alcotest.(check string) "needed" "needed" (show v.verdict)
@@ -64,11 +66,11 @@ let limits () =
 (* Half the noise is worth four times the samples. *)
 let samplers () =
   let sobol = Price.Sampler Sobol in
-  (match verdict sobol ~saved:0. (Made.noisy_pair 1. truth) with
+  (match verdict sobol ~saved:0. (noisy_pair 1. truth) with
   | Saves s when Float.abs (s -. 0.75) < 0.05 -> ()
   | v -> Alcotest.failf "half the noise: %s" (show v));
-  check "as noisy" sobol ~saved:0. (Made.noisy_pair 2. truth) "needed";
-  check "noisier" sobol ~saved:0. (Made.noisy_pair 3. truth) "needed"
+  check "as noisy" sobol ~saved:0. (noisy_pair 2. truth) "needed";
+  check "noisier" sobol ~saved:0. (noisy_pair 3. truth) "needed"
 
 let wrong () =
   let off = Array.mapi (fun i x -> if i = 5 then x +. 90. else x) in

@@ -110,10 +110,10 @@ let style = Drawn.Loose
 let suite =
   ( "without",
     [
-      Law.law ~count:40 ~print "a scene without all its lights is black"
+      Law.law ~count:20 ~print "a scene without all its lights is black"
         (Rich.scene style) all_dark;
       Law.example "lights are named with their places" names;
-      Law.law ~count:25 ~print "every effect can be left out of every scene"
+      Law.law ~count:12 ~print "every effect can be left out of every scene"
         (Rich.scene style) total;
       Law.law ~count:100 ~print "what is off can be left out for nothing"
         (Rich.scene style) absent_twice;
