@@ -41,7 +41,9 @@ let talk o (prices : Price.t) missing =
          (prices.width * prices.height)
          (Progress.time prices.spent)
          (Progress.time prices.budget));
-    match List.map (fun v -> Price_text.setting (Variant.setting v)) missing with
+    match
+      List.map (fun v -> Price_text.setting (Variant.setting v)) missing
+    with
     | [] -> ()
     | _ :: _ as names ->
         Status.tell
@@ -70,8 +72,7 @@ let run o =
 
 let seconds =
   Arg.(
-    value
-    & opt Duration.conv 20.
+    value & opt Duration.conv 20.
     & info [ "budget" ] ~docv:"T"
         ~doc:
           "How long it may take, such as $(b,20s) or $(b,5m). The more, the \
@@ -100,8 +101,8 @@ let term =
     | Ok status | Error status -> status
   in
   Term.(
-    const make $ Settings.scene $ Settings.term $ seconds $ Settings.domains $ csv $ html
-    $ quiet)
+    const make $ Settings.scene $ Settings.term $ seconds $ Settings.domains
+    $ csv $ html $ quiet)
 
 let man =
   [

@@ -41,6 +41,4 @@ let command (name, doc, options) =
 
 let commands =
   List.map command
-    [
-      ("merge", "join the parts of a picture", [ "o"; "output" ]);
-    ]
+    [ ("merge", "join the parts of a picture", [ "o"; "output" ]) ]

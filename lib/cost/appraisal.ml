@@ -87,9 +87,7 @@ let prediction ~by_seconds ~by_samples error : Price.prediction option =
 let predictions ladder =
   match (by_seconds ladder, by_samples ladder) with
   | Some by_seconds, Some by_samples ->
-      List.filter_map
-        (prediction ~by_seconds ~by_samples)
-        [ 4.; 2.; 1.; 0.5 ]
+      List.filter_map (prediction ~by_seconds ~by_samples) [ 4.; 2.; 1.; 0.5 ]
   | _, None | None, _ -> []
 
 (* {1 Maps} *)

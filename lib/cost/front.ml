@@ -1,9 +1,12 @@
 type point = { seconds : float; error : float }
 
 let known x = if Float.is_nan x then infinity else x
+
 let beats a b =
-  let a_seconds = known a.seconds and a_error = known a.error
-  and b_seconds = known b.seconds and b_error = known b.error in
+  let a_seconds = known a.seconds
+  and a_error = known a.error
+  and b_seconds = known b.seconds
+  and b_error = known b.error in
   a_seconds <= b_seconds && a_error <= b_error
   && (a_seconds < b_seconds || a_error < b_error)
 

@@ -60,9 +60,7 @@ let finished ~seconds subset sheet tally =
     let i = 3 * ((y * width) + x) in
     Rgb.v (at i) (at (i + 1)) (at (i + 2))
   in
-  let rays =
-    List.fold_left (fun n c -> n + Tally.get tally c) 0 Tally.rays
-  in
+  let rays = List.fold_left (fun n c -> n + Tally.get tally c) 0 Tally.rays in
   {
     picture = Picture.init ~width ~height:(Subset.height subset) color;
     shown = Float.Array.map Display.encode sheet.linear;

@@ -15,7 +15,6 @@ type t = {
   rays_per_pixel : float;
 }
 
-val run :
-  domains:int -> stop:(unit -> bool) -> Subset.t -> Pixel.t -> t option
+val run : domains:int -> stop:(unit -> bool) -> Subset.t -> Pixel.t -> t option
 (** [run ~domains ~stop subset scene] renders [subset] of [scene]. [None] if
     [stop] answered [true] before the end. *)

@@ -21,8 +21,7 @@ let square x = x *. x
 let squares (a : Measure.t) (b : Measure.t) j =
   square (Float.Array.get a.shown j -. Float.Array.get b.shown j)
 
-let spread p =
-  over_pixels p (fun j -> squares p.first p.second j /. 2.)
+let spread p = over_pixels p (fun j -> squares p.first p.second j /. 2.)
 
 (* {1 Errors} *)
 
@@ -49,8 +48,7 @@ let error ~finest p =
   {
     rms = sqrt clean;
     p99 =
-      percentile 0.99
-        (Float.Array.map shown (Float.Array.append first second));
+      percentile 0.99 (Float.Array.map shown (Float.Array.append first second));
     pixels = Plane.init ~width ~height (fun i -> shown (at i));
   }
 
@@ -85,7 +83,6 @@ let dust = 0x1p-20
 
 (* By how many standard errors it is off 0. *)
 let score e = if Float.abs e.value < dust then 0. else e.value /. e.deviation
-
 let same (a : Measure.t) (b : Measure.t) = Picture.equal a.picture b.picture
 let sure = Normal.quantile 0.999
 let likely = Normal.quantile 0.95

@@ -43,7 +43,8 @@ val spread : t -> floatarray
 
 type change = {
   equal : bool;  (** every pixel has the same bits, in both sets *)
-  loss : float;  (** the root mean square of what changes in the mean, at least 0 *)
+  loss : float;
+      (** the root mean square of what changes in the mean, at least 0 *)
   bound : float;  (** what [loss] is below with a confidence of .95 at least *)
   noisier : bool;  (** whether noise grows beyond chance *)
   quieter : bool;  (** whether it shrinks *)

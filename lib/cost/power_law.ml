@@ -53,7 +53,9 @@ let inverse law y =
     let range =
       if law.points = 2 then infinity
       else
-        let leverage = 1. +. (1. /. n) +. (((x -. law.centre) ** 2.) /. law.width) in
+        let leverage =
+          1. +. (1. /. n) +. (((x -. law.centre) ** 2.) /. law.width)
+        in
         Student.quantile ~dof:(n -. 2.) 0.975
         *. law.scatter *. sqrt leverage /. law.b
     in

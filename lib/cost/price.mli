@@ -11,7 +11,8 @@ type setting =
   | Cutoff of float
   | Sampler of Candor_sample.Sampler.t
   | Without_light of { name : string; place : Place.t }
-      (** a light of [(light ...)], an area light, or the background or ambient light *)
+      (** a light of [(light ...)], an area light, or the background or ambient
+          light *)
   | Without_effect of { absent : Effect.t; reasons : Reason.t list }
   | Naive_math
 
@@ -19,8 +20,8 @@ type measure = {
   seconds : float;  (** for the whole picture, from the first ray to the last *)
   rays_per_pixel : float;
   rms : float;
-      (** error of the displayed picture beside the finest rung, whose own
-          noise is taken off, in units of 1/255 *)
+      (** error of the displayed picture beside the finest rung, whose own noise
+          is taken off, in units of 1/255 *)
   p99 : float;  (** the 99th percentile of pixels' errors, likewise *)
 }
 
@@ -35,20 +36,29 @@ type row = {
   setting : setting;
   spp : int;  (** at which the row was measured *)
   measure : measure;
-  loss : float;  (** what the picture loses beside the row's base, rms, 1/255; 0 for rungs *)
+  loss : float;
+      (** what the picture loses beside the row's base, rms, 1/255; 0 for rungs
+      *)
   pareto : bool;
   verdict : verdict;
 }
 
 type law = { a : float; b : float; scatter : float }
-(** error ≈ a·t^−b, rms in 1/255 and seconds of the whole picture; [scatter] is the
-    standard deviation of ln error about it. *)
+(** error ≈ a·t^−b, rms in 1/255 and seconds of the whole picture; [scatter] is
+    the standard deviation of ln error about it. *)
 
-type prediction = { error : float; seconds : float; low : float; high : float; spp : int }
+type prediction = {
+  error : float;
+  seconds : float;
+  low : float;
+  high : float;
+  spp : int;
+}
 (** [error] takes [seconds], with 95 % confidence from [low] to [high]. *)
 
 type view = { spp : int; picture : Picture.t; error : Plane.t }
-(** A rung of the ladder, a pixel for each of the subset: its picture and each pixel's error in 1/255. *)
+(** A rung of the ladder, a pixel for each of the subset: its picture and each
+    pixel's error in 1/255. *)
 
 type t = {
   scene : string;  (** file name *)
@@ -65,5 +75,6 @@ type t = {
   predictions : prediction list;  (** for errors 4, 2, 1 and 1/2 *)
   views : view list;
   time : Plane.t;  (** seconds per sample of each pixel of the subset *)
-  samples : Plane.t;  (** samples per pixel that adaptive sampling would give them, mean 1 *)
+  samples : Plane.t;
+      (** samples per pixel that adaptive sampling would give them, mean 1 *)
 }

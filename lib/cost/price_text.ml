@@ -64,9 +64,9 @@ let rung ~knee before (row : Price.row) =
   {
     marked = mark row;
     name = (setting row.setting ^ if is_knee then "   <- knee" else "");
-    cells = [ number seconds; number rays_per_pixel; number rms; pixels_error p99 ];
-    says =
-      (match before with Some b -> per_halving b row | None -> "");
+    cells =
+      [ number seconds; number rays_per_pixel; number rms; pixels_error p99 ];
+    says = (match before with Some b -> per_halving b row | None -> "");
   }
 
 let rec ladder ~knee before = function
@@ -104,15 +104,13 @@ let located (row : Price.row) =
 let other scene ladder (row : Price.row) =
   let base = List.find_opt (fun (b : Price.row) -> b.spp = row.spp) ladder in
   let beside f =
-    match base with
-    | Some b -> f row.measure -. f b.measure
-    | None -> nan
+    match base with Some b -> f row.measure -. f b.measure | None -> nan
   in
   let name =
     match row.setting with
     | Without_light _ -> located row
-    | Samples _ | Depth _ | Cutoff _ | Sampler _ | Without_effect _
-    | Naive_math ->
+    | Samples _ | Depth _ | Cutoff _ | Sampler _ | Without_effect _ | Naive_math
+      ->
         setting row.setting ^ was scene row.setting
   in
   {
@@ -147,7 +145,9 @@ let render lines =
         (String.concat "" (cells numbers))
         says
     in
-    let rec trimmed n = if n > 0 && text.[n - 1] = ' ' then trimmed (n - 1) else n in
+    let rec trimmed n =
+      if n > 0 && text.[n - 1] = ' ' then trimmed (n - 1) else n
+    in
     String.sub text 0 (trimmed (String.length text)) ^ "\n"
   in
   let head =

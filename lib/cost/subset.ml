@@ -37,9 +37,7 @@ let place key ~blocks n i =
 let pixel s i =
   let column = i mod s.width and row = i / s.width in
   let key axis =
-    let key =
-      Key.v ~seed:s.seed ~x:column ~y:row ~sample:0 ~bounce:0 Film
-    in
+    let key = Key.v ~seed:s.seed ~x:column ~y:row ~sample:0 ~bounce:0 Film in
     Key.derive key axis
   in
   ( place (key 0) ~blocks:s.width s.full_width column,

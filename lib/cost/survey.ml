@@ -140,8 +140,7 @@ let rec climb r subset ~others pace rungs = function
   | spp :: higher -> (
       let late = rungs = [] in
       let needed =
-        expected pace subset ~sets:2 spp
-        +. reserve r pace subset ~others spp
+        expected pace subset ~sets:2 spp +. reserve r pace subset ~others spp
       in
       if not (late || needed <= Budget.left r.budget) then (rungs, pace)
       else
@@ -173,9 +172,7 @@ let base r pace subset rungs ~others =
 
 let other r pace subset (base : rung) variant =
   let own = Variant.own r.scene base.spp in
-  let in_time =
-    expected pace subset ~sets:3 base.spp <= Budget.left r.budget
-  in
+  let in_time = expected pace subset ~sets:3 base.spp <= Budget.left r.budget in
   match if in_time then beside r subset ~own variant base.spp else None with
   | Some other -> Either.Left other
   | None -> Right variant

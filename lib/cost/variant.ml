@@ -15,7 +15,6 @@ type t = {
 type seeding = First | Second
 
 let setting v = v.setting
-
 let usual = Sampler.Sobol
 
 let v ?(math = Math.Stable) ?(plan = Plan.of_scene) ?(sampler = usual) setting
@@ -81,8 +80,7 @@ let others scene =
   (v ~math:Textbook Naive_math scene :: lights scene)
   @ effects scene @ depths scene @ cutoffs scene @ samplers scene
 
-let second seed =
-  (Key.v ~seed ~x:0 ~y:0 ~sample:0 ~bounce:0 Path :> int)
+let second seed = (Key.v ~seed ~x:0 ~y:0 ~sample:0 ~bounce:0 Path :> int)
 
 let compile variant ~spp seeding =
   let scene =
@@ -92,5 +90,5 @@ let compile variant ~spp seeding =
         in
         { s with spp; seed })
   in
-  Pixel.compile ~plan:(variant.plan scene) ~math:variant.math ~sampler:variant.sampler
-    scene
+  Pixel.compile ~plan:(variant.plan scene) ~math:variant.math
+    ~sampler:variant.sampler scene

@@ -13,8 +13,8 @@ let of_limit (change : Pair.change) ~saved : Price.verdict =
   if change.equal || change.bound < shown then Saves (Float.max 0. saved)
   else Needed
 
-let of_sampler (change : Pair.change) ~law ~saved ~before ~after :
-    Price.verdict =
+let of_sampler (change : Pair.change) ~law ~saved ~before ~after : Price.verdict
+    =
   let b =
     match law with
     | Some { Power_law.b; _ } when b > 0. -> b

@@ -12,8 +12,8 @@ val v :
   saved:float ->
   t
 (** [v setting ~law ~finest ~base p ~share ~saved] is what the picture loses
-    under [p] beside [base], and the verdict on [setting], which saves [saved] of
-    the time (negative if it takes more), measured on [share] of all pixels.
+    under [p] beside [base], and the verdict on [setting], which saves [saved]
+    of the time (negative if it takes more), measured on [share] of all pixels.
 
     A light or an effect is paid for nothing if every pixel of the subset has
     the same bits without it, or if {!Pair.change} finds no difference and

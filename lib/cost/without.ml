@@ -30,8 +30,7 @@ let map_materials f (scene : Scene.t) =
   let surface (s : Scene.surface) =
     { s with material = Option.map own s.material }
   and named (m : _ Scene.named) = { m with value = f m.value } in
-  map_surfaces surface
-    { scene with materials = List.map named scene.materials }
+  map_surfaces surface { scene with materials = List.map named scene.materials }
 
 (* {1 Lights} *)
 
@@ -73,7 +72,9 @@ let large scene =
 let ambient (scene : Scene.t) =
   match scene.ambient with
   | Some { value; place } when not (Rgb.is_black value) ->
-      [ { name = "ambient light"; place; dark = { scene with ambient = None } } ]
+      [
+        { name = "ambient light"; place; dark = { scene with ambient = None } };
+      ]
   | Some _ | None -> []
 
 let is_black : Scene.background -> bool = function
@@ -88,8 +89,7 @@ let background (scene : Scene.t) =
     let dark = { scene with background = Uniform Rgb.black } in
     [ { name = "background"; place = Place.unknown; dark } ]
 
-let lights scene =
-  small scene @ large scene @ ambient scene @ background scene
+let lights scene = small scene @ large scene @ ambient scene @ background scene
 
 (* {1 What surfaces look like} *)
 
@@ -100,12 +100,12 @@ let mean_texel texels =
   let row y =
     List.fold_left
       (fun sum x -> Rgb.add sum (Texels.get texels x y))
-      Rgb.black
-      (List.init width Fun.id)
+      Rgb.black (List.init width Fun.id)
   in
   let sum =
-    List.fold_left (fun sum y -> Rgb.add sum (row y)) Rgb.black
-      (List.init height Fun.id)
+    List.fold_left
+      (fun sum y -> Rgb.add sum (row y))
+      Rgb.black (List.init height Fun.id)
   in
   Rgb.scale (1. /. float_of_int (width * height)) sum
 

@@ -1,7 +1,6 @@
 open Candor
 
 let lines text = List.filter (( <> ) "") (String.split_on_char '\n' text)
-
 let starts line prefix = String.starts_with ~prefix line
 
 let listed () =
@@ -29,8 +28,8 @@ let listed () =
 (* One that lights nothing: it shines from below. *)
 let idle () =
   write "t.scene"
-    "(scene (image (size 16 12)) (camera (orthographic (eye 0 0 5) (look-at 0 0 \
-     0) (height 2)))\n\
+    "(scene (image (size 16 12)) (camera (orthographic (eye 0 0 5) (look-at 0 \
+     0 0) (height 2)))\n\
     \ (light (point (at 0 0 9) (intensity 90)))\n\
     \ (light (point (at 0 0 -9) (intensity 90)))\n\
     \ (box (min -9 -9 -1) (max 9 9 0)))";
@@ -64,9 +63,7 @@ let columns () =
 
 let hurried () =
   let clock = Unix.gettimeofday () in
-  let r =
-    fine [ "cost"; "s.scene"; "--budget"; "0.05"; "--size=3000x3000" ]
-  in
+  let r = fine [ "cost"; "s.scene"; "--budget"; "0.05"; "--size=3000x3000" ] in
   let took = Unix.gettimeofday () -. clock in
   if took > 2. then Alcotest.failf "it took %g s" took;
   mentions r.out "spp 1";
@@ -84,8 +81,7 @@ let refused () =
 
 let rec begun pid n =
   if n > 5000 then Alcotest.failf "process %d does not begin" pid;
-  if
-    not (List.exists (fun e -> Filename.check_suffix e ".part") (entries "."))
+  if not (List.exists (fun e -> Filename.check_suffix e ".part") (entries "."))
   then (
     ignore (Unix.select [] [] [] 0.002 : _ * _ * _);
     begun pid (n + 1))

@@ -41,8 +41,8 @@ let survey ?(seconds = 0.4) ?(stop = fun () -> false) scene =
   let budget = Budget.start seconds in
   Survey.run { scene; domains; budget; stop; progress = ignore }
 
-(** [prices ~seconds scene] is its price list, made in that time, or as much more
-    as this machine needs to get through all settings. *)
+(** [prices ~seconds scene] is its price list, made in that time, or as much
+    more as this machine needs to get through all settings. *)
 let rec prices ?(seconds = 0.3) scene =
   let budget = Budget.start seconds in
   let stop () = false in
@@ -50,8 +50,7 @@ let rec prices ?(seconds = 0.3) scene =
   | None -> Alcotest.fail "nothing was measured"
   | Some { missing = _ :: _; _ } when seconds < 20. ->
       prices ~seconds:(2. *. seconds) scene
-  | Some survey ->
-      Appraisal.v scene ~file:"made.scene" ~domains budget survey
+  | Some survey -> Appraisal.v scene ~file:"made.scene" ~domains budget survey
 
 (** [hurried scene] is the list made in no time. *)
 let hurried scene =
@@ -59,8 +58,7 @@ let hurried scene =
   let stop () = false in
   match Survey.run { scene; domains; budget; stop; progress = ignore } with
   | None -> Alcotest.fail "nothing was measured"
-  | Some survey ->
-      Appraisal.v scene ~file:"made.scene" ~domains budget survey
+  | Some survey -> Appraisal.v scene ~file:"made.scene" ~domains budget survey
 
 (** [eventually name scene holds] is the test that [holds] is true of the price
     list of [scene] if enough time is given: too little leaves too few pixels,

@@ -14,7 +14,8 @@ let domains = Rows.most_domains ()
 (* Small enough for whole pictures to take seconds. *)
 let shrunk (s : Scene.t) pixels =
   let k =
-    Float.min 1. (sqrt (float_of_int pixels /. float_of_int (s.width * s.height)))
+    Float.min 1.
+      (sqrt (float_of_int pixels /. float_of_int (s.width * s.height)))
   in
   let part n = Int.max 8 (int_of_float (k *. float_of_int n)) in
   { s with width = part s.width; height = part s.height }
@@ -75,7 +76,8 @@ let report file scene (p : Price.t) (q : Price.prediction) =
   let finest = List.nth p.ladder (List.length p.ladder - 1) in
   Printf.printf
     "%-20s %6d px to %4d spp in %4.1f s | %5d spp: %6.2f s (%.2f..%.2f), took \
-     %6.2f (work %6.2f) ratio %.2f | error %4.2f, reached %5.3f ratio %.2f\n%!"
+     %6.2f (work %6.2f) ratio %.2f | error %4.2f, reached %5.3f ratio %.2f\n\
+     %!"
     (Filename.remove_extension (Filename.basename file))
     p.pixels finest.spp p.spent q.spp q.seconds q.low q.high wall work
     (work /. q.seconds) q.error reached (reached /. q.error)
@@ -104,6 +106,8 @@ let () =
       let pixels = int_of_string pixels
       and seconds = float_of_string seconds
       and most = float_of_string most in
-      let files name = if Sys.is_directory name then scenes name else [ name ] in
+      let files name =
+        if Sys.is_directory name then scenes name else [ name ]
+      in
       List.iter (one ~pixels ~seconds ~most) (List.concat_map files names)
   | _ -> prerr_endline "prices PIXELS BUDGET MOST-SECONDS SCENE..."

@@ -34,7 +34,8 @@ let behind =
     "(light (point (at 1 1 5) (intensity 60)))";
     "(light (point (at 1 1 -5) (intensity 60)))";
     "(ambient .1)";
-    "(box (min -9 -9 -1) (max 9 9 0) (material (matte (color (checker .2 .8)))))";
+    "(box (min -9 -9 -1) (max 9 9 0) (material (matte (color (checker .2 \
+     .8)))))";
   ]
 
 let nothing what p = is_for_nothing (row p what)
@@ -48,16 +49,14 @@ let lights () =
   let idle = row p (light 4) and busy = row p (light 3) in
   (match idle.setting with
   | Without_light { place; _ } ->
-      Alcotest.(check string)
-        "place" "made.scene:4:1" (Place.to_string place)
+      Alcotest.(check string) "place" "made.scene:4:1" (Place.to_string place)
   | _ -> Alcotest.fail "no light");
   Alcotest.(check (float 0.)) "no loss" 0. idle.loss;
   if busy.loss < 5. then Alcotest.failf "%g is lost" busy.loss
 
 let effects () =
-  Made.eventually "direct light and textures are needed"
-    (Written.scene behind) (fun p ->
-      needed (without Direct) p && needed (without Textures) p);
+  Made.eventually "direct light and textures are needed" (Written.scene behind)
+    (fun p -> needed (without Direct) p && needed (without Textures) p);
   let front = List.filteri (fun i _ -> i <> 2) behind in
   Made.eventually "shadows fall nowhere" (Written.scene front)
     (nothing (without Shadows));
@@ -135,8 +134,7 @@ let sure () =
 let alone () =
   let p = Made.hurried (Written.scene room) in
   Alcotest.(check int) "one rung" 1 (List.length p.ladder);
-  check "of unknown error" true
-    (Float.is_nan (List.hd p.ladder).measure.rms)
+  check "of unknown error" true (Float.is_nan (List.hd p.ladder).measure.rms)
 
 let suite =
   ( "appraisal",

@@ -69,7 +69,8 @@ let stretched points =
 let finite =
   Gen.(
     list_size (int_range 0 12)
-      (point (map float_of_int (int_range 0 20))
+      (point
+         (map float_of_int (int_range 0 20))
          (map float_of_int (int_range 0 20))))
 
 let suite =

@@ -76,4 +76,3 @@ let suite =
       Law.example "they do not depend on domains" parallel;
       Law.example "what was stopped says nothing" stopped;
     ] )
-

@@ -93,7 +93,8 @@ let wrong () =
     Alcotest.(check int) name expected (Pair.wrong ~base pair)
   in
   count "none" 0 base;
-  count "three pixels" 3 (Made.pair (off [ 0; 1; 30; 62 ] 9.) (off [ 0; 30; 62 ] 9.));
+  count "three pixels" 3
+    (Made.pair (off [ 0; 1; 30; 62 ] 9.) (off [ 0; 30; 62 ] 9.));
   count "less than a level" 0 (Made.pair (off [ 5 ] 0.9) (off [ 5 ] 0.9));
   count "by chance" 0 (Made.pair (off [ 5 ] 9.) truth);
   count "both ways" 0 (Made.pair (off [ 5 ] 9.) (off [ 5 ] (-9.)))

@@ -4,20 +4,15 @@ open QCheck2
 
 let xs = [ 1.; 2.; 4.; 8.; 16.; 32. ]
 let close a b = Float.abs (a -. b) <= 1e-9 *. Float.abs b
-
-let drawn =
-  Gen.pair (Draw.uniform 0.1 50.) (Draw.uniform 0.2 2.)
-
+let drawn = Gen.pair (Draw.uniform 0.1 50.) (Draw.uniform 0.2 2.)
 let print (a, b) = Printf.sprintf "%g x^-%g" a b
-
 let points (a, b) = List.map (fun x -> (x, a *. (x ** -.b))) xs
 
 let found (a, b) =
   match Power_law.fit (points (a, b)) with
   | None -> false
   | Some law ->
-      close law.a a && close law.b b
-      && law.scatter < 1e-9
+      close law.a a && close law.b b && law.scatter < 1e-9
       && close (Power_law.at law 3.) (a *. (3. ** -.b))
 
 let undone (a, b) =

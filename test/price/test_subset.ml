@@ -54,7 +54,8 @@ let evenly () =
 let suite =
   ( "subset",
     [
-      Law.law ~count:200 ~print "one pixel of each block is taken" drawn one_of_each;
+      Law.law ~count:200 ~print "one pixel of each block is taken" drawn
+        one_of_each;
       Law.law ~print "there are about as many blocks as asked for" drawn as_many;
       Law.example "any pixel of a block may stand for it" evenly;
     ] )

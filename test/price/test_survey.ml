@@ -21,7 +21,9 @@ let ladder () =
   | None -> Alcotest.fail "nothing was measured"
   | Some s ->
       let rungs = List.map spp s.rungs in
-      let expected = [ 1; 2; 4; 8; 16; 32; 64; 128; 256; 512; 1024; 2048; 4096 ] in
+      let expected =
+        [ 1; 2; 4; 8; 16; 32; 64; 128; 256; 512; 1024; 2048; 4096 ]
+      in
       let first n = List.filteri (fun i _ -> i < n) expected in
       Alcotest.(check (list int)) "rungs" (first (List.length rungs)) rungs;
       Alcotest.(check int)
@@ -78,9 +80,7 @@ let stopped () =
     (Option.is_none (Made.survey ~stop:(fun () -> true) room))
 
 let bare () =
-  let scene =
-    Written.scene [ "(image (size 3 2))"; Written.flat_camera ]
-  in
+  let scene = Written.scene [ "(image (size 3 2))"; Written.flat_camera ] in
   match Made.survey ~seconds:0.3 scene with
   | None -> Alcotest.fail "nothing was measured"
   | Some s -> Alcotest.(check int) "all pixels" 6 (Subset.count s.subset)
@@ -94,4 +94,3 @@ let suite =
       Law.example "what is stopped says nothing" stopped;
       Law.example "a scene of nothing can be measured" bare;
     ] )
-

@@ -16,7 +16,9 @@ let lit =
   ]
 
 let names scene =
-  List.map (fun v -> Price_text.setting (Variant.setting v)) (Variant.others scene)
+  List.map
+    (fun v -> Price_text.setting (Variant.setting v))
+    (Variant.others scene)
 
 let check_names name expected forms =
   Alcotest.(check (list string)) name expected (names (Written.scene forms))
@@ -51,7 +53,7 @@ let listed () =
       "stratified sampler";
     ]
     ("(sphere (center 3 0 0) (radius 1) (material (mirror)))"
-    :: "(render (depth 10) (cutoff .01))" :: lit);
+   :: "(render (depth 10) (cutoff .01))" :: lit);
   check_names "light that bounces"
     [
       "naive math";
@@ -69,8 +71,7 @@ let listed () =
       "(sphere (center 0 0 0) (radius 1))";
     ]
 
-let seen pixel ~sample =
-  Pixel.sample pixel (Tally.make ()) ~x:3 ~y:3 ~sample
+let seen pixel ~sample = Pixel.sample pixel (Tally.make ()) ~x:3 ~y:3 ~sample
 
 let seeded () =
   let scene = Written.scene lit in

@@ -9,12 +9,10 @@ let light = Price.Without_light { name = "x"; place = Place.unknown }
 let fog = Price.Without_effect { absent = Effect.Fog; reasons = [] }
 let base = noisy_pair 2. truth
 let darker by = Array.map (fun x -> x -. by) truth
-
 let finest = noisy_pair 0.1 truth
 
 let verdict setting ~saved pair =
-  (Verdict.v setting ~law:None ~finest ~base pair ~share:0.25 ~saved)
-    .verdict
+  (Verdict.v setting ~law:None ~finest ~base pair ~share:0.25 ~saved).verdict
 
 let show : Price.verdict -> string = function
   | Rung -> "rung"
@@ -30,7 +28,9 @@ let check name setting ~saved pair expected =
 let same_noise by =
   let shift (m : Measure.t) =
     Made.measure
-      (Array.map (fun x -> x -. by) (Array.of_list (Float.Array.to_list m.shown)))
+      (Array.map
+         (fun x -> x -. by)
+         (Array.of_list (Float.Array.to_list m.shown)))
   in
   { Pair.first = shift base.first; second = shift base.second }
 
@@ -40,7 +40,8 @@ let parts () =
       check "same bits" setting ~saved:0.1 base "paid for nothing";
       check "other noise" setting ~saved:0.1 (noisy_pair 2. truth)
         "paid for nothing";
-      check "much darker" setting ~saved:0.9 (noisy_pair 2. (darker 3.))
+      check "much darker" setting ~saved:0.9
+        (noisy_pair 2. (darker 3.))
         "needed";
       check "hardly darker" setting ~saved:0.2 (same_noise 0.1) "saves 0.20";
       check "hardly darker, no faster" setting ~saved:0. (same_noise 0.1)

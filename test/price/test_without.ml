@@ -54,8 +54,7 @@ let names () =
          (name, if Place.equal place Place.unknown then 0 else place.line))
        (Without.lights scene))
 
-let off e scene =
-  not (Plan.is_on (Plan.without e scene) e)
+let off e scene = not (Plan.is_on (Plan.without e scene) e)
 
 let total scene =
   List.for_all
