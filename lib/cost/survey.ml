@@ -48,7 +48,7 @@ let pair r ~late subset variant spp =
 let beside r subset ~own variant spp =
   let set = set r ~late:false subset in
   let* first = set variant spp First in
-  let* own = set own spp First in
+  let* own = measure r ~late:false subset own in
   let* second = set variant spp Second in
   let changed = { Pair.first; second } in
   Some { variant; changed; ratio = Pair.seconds changed /. own.seconds }
@@ -102,15 +102,16 @@ let try_out r =
   go 1 None
 
 (* About as many pixels as tell an error to a few per cent; fewer if that leaves
-   too few samples to each. A ladder takes four times the samples of its finest
+   too few samples to each. A ladder takes seven times the samples of its finest
    rung. *)
 let pixels r pace ~others =
   let most = 16384 and few = 400 in
   let scenes = float_of_int ((3 * others) + 16) in
-  let seconds = Budget.left r.budget -. (scenes *. pace.ready) in
+  let left = Budget.left r.budget in
+  let seconds = Float.max (left /. 2.) (left -. (scenes *. pace.ready)) in
   let afford spp =
     let own = Int.min spp r.scene.settings.spp in
-    let samples = float_of_int ((4 * spp) + (3 * others * own)) in
+    let samples = float_of_int ((7 * spp) + (3 * others * own)) in
     let n = seconds /. (pace.sample *. samples) in
     if n >= float_of_int most then most
     else if n > 1. then int_of_float n
@@ -122,9 +123,15 @@ let pixels r pace ~others =
 
 let most_samples = 4096
 
+(* Low-discrepancy points are at their best in powers of two, so that errors at
+   those alone would promise too much in between. *)
 let ladder own =
-  let rec doubled n = if n > most_samples then [] else n :: doubled (2 * n) in
-  List.sort_uniq Int.compare (own :: doubled 1)
+  let rec from n =
+    if n > most_samples then []
+    else if n < 4 then n :: from (2 * n)
+    else n :: (n + (n / 2)) :: from (2 * n)
+  in
+  List.sort_uniq Int.compare (own :: from 1)
 
 (* What to keep for other settings beside a rung: not more than half of all. *)
 let reserve r pace subset ~others spp =
@@ -170,8 +177,7 @@ let base r pace subset rungs ~others =
       | [] -> List.nth_opt useful 0
       | some -> List.nth_opt (List.rev some) 0)
 
-let other r pace subset (base : rung) variant =
-  let own = Variant.own r.scene base.spp in
+let other r pace subset ~own (base : rung) variant =
   let in_time = expected pace subset ~sets:3 base.spp <= Budget.left r.budget in
   match if in_time then beside r subset ~own variant base.spp else None with
   | Some other -> Either.Left other
@@ -200,7 +206,11 @@ let of_trial r trial variants =
   let others, missing =
     match base with
     | None -> ([], variants)
-    | Some base -> List.partition_map (other r pace subset base) variants
+    | Some base ->
+        let own =
+          Variant.(compile (own r.scene base.spp) ~spp:base.spp First)
+        in
+        List.partition_map (other r pace subset ~own base) variants
   in
   { subset; rungs = List.rev rungs; base; others; missing }
 
