@@ -27,7 +27,7 @@ let writing_page o f =
 
 let survey o ~domains ~budget ~stop scene =
   let progress = Progress.make ~quiet:o.quiet in
-  let progress_of = Progress.report progress in
+  let progress_of share = Progress.report progress (Pace.sure share) in
   let found =
     Survey.run { scene; domains; budget; stop; progress = progress_of }
   in
@@ -72,7 +72,7 @@ let run o =
 
 let seconds =
   Arg.(
-    value & opt Duration.conv 20.
+    value & opt Settings.duration 20.
     & info [ "budget" ] ~docv:"T"
         ~doc:
           "How long it may take, such as $(b,20s) or $(b,5m). The more, the \

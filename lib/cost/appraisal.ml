@@ -60,35 +60,58 @@ let knee ladder =
 
 (* {1 The law} *)
 
-let law_over ladder x =
-  let point (row : Price.row) =
-    if row.spp > 1 then Some (x row, row.measure.rms) else None
-  in
-  Power_law.fit (List.filter_map point ladder)
+(* Low-discrepancy points are at their best in powers of two: in between errors
+   are greater, by no law. One sample at the centre has an error of another
+   kind. *)
+let is_regular (row : Price.row) = row.spp > 1 && row.spp land (row.spp - 1) = 0
 
-let by_seconds ladder =
-  law_over ladder (fun (row : Price.row) -> row.measure.seconds)
+let over ladder x y =
+  Power_law.fit
+    (List.map
+       (fun (row : Price.row) -> (x row, y row))
+       (List.filter is_regular ladder))
 
-let by_samples ladder =
-  law_over ladder (fun (row : Price.row) -> float_of_int row.spp)
+let seconds (row : Price.row) = row.measure.seconds
+let samples (row : Price.row) = float_of_int row.spp
+let rms (row : Price.row) = row.measure.rms
+let by_seconds ladder = over ladder seconds rms
 
-let whole x =
-  if x < float_of_int max_int then int_of_float (Float.ceil x) else max_int
+(* The least power of two that is not below [x]. *)
+let rec power_of_two ?(n = 1) x =
+  if float_of_int n >= x || n > max_int / 4 then n
+  else power_of_two ~n:(2 * n) x
 
-let prediction ~by_seconds ~by_samples error : Price.prediction option =
-  match
-    (Power_law.inverse by_seconds error, Power_law.inverse by_samples error)
-  with
-  | Some { best; low; high }, Some samples ->
-      let spp = Int.max 1 (whole samples.best) in
-      Some { error; seconds = best; low; high; spp }
-  | _, None | None, _ -> None
+type laws = {
+  error_by_seconds : Power_law.t;
+  error_by_samples : Power_law.t;
+  seconds_by_samples : Power_law.t;
+}
+
+let ( let* ) = Option.bind
+
+let laws ladder =
+  let* error_by_seconds = by_seconds ladder in
+  let* error_by_samples = over ladder samples rms in
+  let* seconds_by_samples = over ladder samples seconds in
+  Some { error_by_seconds; error_by_samples; seconds_by_samples }
+
+let prediction laws error =
+  let* time = Power_law.inverse laws.error_by_seconds error in
+  let* samples = Power_law.inverse laws.error_by_samples error in
+  let spp = power_of_two (Float.max 2. samples.best) in
+  let seconds = Power_law.at laws.seconds_by_samples (float_of_int spp) in
+  let times = seconds /. time.best in
+  let low = time.low *. times and high = time.high *. times in
+  Some { Price.error; seconds; low; high; spp }
 
 let predictions ladder =
-  match (by_seconds ladder, by_samples ladder) with
-  | Some by_seconds, Some by_samples ->
-      List.filter_map (prediction ~by_seconds ~by_samples) [ 4.; 2.; 1.; 0.5 ]
-  | _, None | None, _ -> []
+  match laws ladder with
+  | None -> []
+  | Some laws -> List.filter_map (prediction laws) [ 4.; 2.; 1.; 0.5 ]
+
+let error_at (p : Price.t) spp =
+  let* laws = laws p.ladder in
+  Some (Power_law.at laws.error_by_samples (float_of_int spp))
 
 (* {1 Maps} *)
 

@@ -102,7 +102,7 @@ let try_out r =
   go 1 None
 
 (* About as many pixels as tell an error to a few per cent; fewer if that leaves
-   too few samples to each. A ladder takes seven times the samples of its finest
+   too few samples to each. A ladder takes four times the samples of its finest
    rung. *)
 let pixels r pace ~others =
   let most = 16384 and few = 400 in
@@ -111,7 +111,7 @@ let pixels r pace ~others =
   let seconds = Float.max (left /. 2.) (left -. (scenes *. pace.ready)) in
   let afford spp =
     let own = Int.min spp r.scene.settings.spp in
-    let samples = float_of_int ((7 * spp) + (3 * others * own)) in
+    let samples = float_of_int ((4 * spp) + (3 * others * own)) in
     let n = seconds /. (pace.sample *. samples) in
     if n >= float_of_int most then most
     else if n > 1. then int_of_float n
@@ -123,15 +123,10 @@ let pixels r pace ~others =
 
 let most_samples = 4096
 
-(* Low-discrepancy points are at their best in powers of two, so that errors at
-   those alone would promise too much in between. *)
 let ladder own =
-  let rec from n =
-    if n > most_samples then []
-    else if n < 4 then n :: from (2 * n)
-    else n :: (n + (n / 2)) :: from (2 * n)
-  in
-  List.sort_uniq Int.compare (own :: from 1)
+  let rec doubled n = if n > most_samples then [] else n :: doubled (2 * n) in
+  let own = if own > most_samples then [] else [ own ] in
+  List.sort_uniq Int.compare (own @ doubled 1)
 
 (* What to keep for other settings beside a rung: not more than half of all. *)
 let reserve r pace subset ~others spp =

@@ -2,11 +2,11 @@
 
     Every setting is measured on one subset of the pixels, with two independent
     sets of samples. First comes the ladder: 1 sample a pixel (at its centre),
-    2, 4, 6, 8, 12, 16, 24, … and the scene's own number, as far as the budget
-    goes with a part kept for the rest; the finest rung stands for the truth.
-    Then every other setting is measured at the scene's own samples, or the most
-    below that for which time is left, with the same random numbers as that
-    rung, so that differences between pictures are not noise. *)
+    2, 4, 8, … and the scene's own number, as far as the budget goes with a part
+    kept for the rest; the finest rung stands for the truth. Then every other
+    setting is measured at the scene's own samples, or the most below that for
+    which time is left, with the same random numbers as that rung, so that
+    differences between pictures are not noise. *)
 
 open Candor_scene
 

@@ -73,6 +73,7 @@ let report file scene (p : Price.t) (q : Price.prediction) =
   let wall = (first.wall +. second.wall) /. 2.
   and work = (first.work +. second.work) /. 2. in
   let reached = error first.picture second.picture in
+  let expected = Option.value (Appraisal.error_at p q.spp) ~default:nan in
   let finest = List.nth p.ladder (List.length p.ladder - 1) in
   Printf.printf
     "%-20s %6d px to %4d spp in %4.1f s | %5d spp: %6.2f s (%.2f..%.2f), took \
@@ -80,7 +81,7 @@ let report file scene (p : Price.t) (q : Price.prediction) =
      %!"
     (Filename.remove_extension (Filename.basename file))
     p.pixels finest.spp p.spent q.spp q.seconds q.low q.high wall work
-    (work /. q.seconds) q.error reached (reached /. q.error)
+    (work /. q.seconds) q.error expected reached (reached /. expected)
 
 let one ~pixels ~seconds ~most file =
   match Candor_read.Scene_file.read file with
