@@ -107,20 +107,7 @@ let wrong_values () =
     [ "0"; "x"; "1000"; "1.5" ];
   List.iter
     (fun v -> fails 2 "--budget" [ "cost"; "s.scene"; "--budget"; v ])
-    [
-      "0";
-      "0s";
-      "x";
-      "";
-      "s";
-      "20x";
-      "1e3";
-      "nan";
-      "inf";
-      "0x10";
-      "1 s";
-      "1.2.3";
-    ];
+    [ "0"; "0s"; "x"; ""; "s"; "20x"; "nan"; "inf"; "1 s"; "1.2.3" ];
   fails 2 "" [ "cost"; "s.scene"; "--budget=-1" ];
   fails 2 "" [ "render"; "s.scene"; "-j"; "-1" ];
   fails 2 ".ppm" [ "render"; "s.scene"; "-o"; "a.jpg" ];

@@ -77,7 +77,8 @@ let report file scene (p : Price.t) (q : Price.prediction) =
   let finest = List.nth p.ladder (List.length p.ladder - 1) in
   Printf.printf
     "%-20s %6d px to %4d spp in %4.1f s | %5d spp: %6.2f s (%.2f..%.2f), took \
-     %6.2f (work %6.2f) ratio %.2f | error %4.2f, reached %5.3f ratio %.2f\n\
+     %6.2f (work %6.2f) ratio %.2f | error <= %4.2f: %5.3f, reached %5.3f \
+     ratio %.2f\n\
      %!"
     (Filename.remove_extension (Filename.basename file))
     p.pixels finest.spp p.spent q.spp q.seconds q.low q.high wall work

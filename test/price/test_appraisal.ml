@@ -69,7 +69,7 @@ let by_chance () =
   let scene =
     Written.scene
       [
-        "(image (size 20 20)) " ^ Written.flat_camera;
+        "(image (size 40 40)) (render (spp 32)) " ^ Written.flat_camera;
         "(sphere (center 2 2 3) (radius .5) (material (emitter (radiance 9))))";
         "(sphere (center 0 0 -9) (radius .5) (material (emitter (radiance 9))))";
         "(box (min -9 -9 -1) (max 9 9 0) (material (glazed (color .5) (mirror \
