@@ -6,6 +6,7 @@ open Candor_render
 
 type t = {
   picture : Picture.t;
+  linear : floatarray;
   shown : floatarray;
   times : floatarray;
   seconds : float;
@@ -63,6 +64,7 @@ let finished ~seconds subset sheet tally =
   let rays = List.fold_left (fun n c -> n + Tally.get tally c) 0 Tally.rays in
   {
     picture = Picture.init ~width ~height:(Subset.height subset) color;
+    linear = Float.Array.map (fun x -> 255. *. x) sheet.linear;
     shown = Float.Array.map Display.encode sheet.linear;
     times = sheet.times;
     seconds = seconds /. Subset.share subset;

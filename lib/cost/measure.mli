@@ -5,6 +5,9 @@ open Candor_image
 
 type t = {
   picture : Picture.t;  (** of the subset *)
+  linear : floatarray;
+      (** red, green and blue of each pixel in turn, full brightness being 255
+      *)
   shown : floatarray;
       (** the same as displayed: red, green and blue of each pixel in turn, in
           units of 1/255, before rounding *)

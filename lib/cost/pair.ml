@@ -87,17 +87,28 @@ let same (a : Measure.t) (b : Measure.t) = Picture.equal a.picture b.picture
 let sure = Normal.quantile 0.999
 let likely = Normal.quantile 0.95
 
-let moved (a : Measure.t) (b : Measure.t) j =
-  Float.Array.get a.shown j -. Float.Array.get b.shown j
+let moved values (a : Measure.t) (b : Measure.t) j =
+  Float.Array.get (values a) j -. Float.Array.get (values b) j
 
-let change ~base p =
-  let first = moved p.first base.first
-  and second = moved p.second base.second in
-  let common = estimate (over_pixels p (fun j -> first j *. second j)) in
+let shown (m : Measure.t) = m.shown
+let linear (m : Measure.t) = m.linear
+
+(* Whether the mean changes. That is asked of linear light: the mean of what is
+   displayed also changes with the noise. *)
+let mean_changes ~base p =
+  let first = moved linear p.first base.first
+  and second = moved linear p.second base.second in
   let shifts channel =
     let at i = half (first ((3 * i) + channel)) (second ((3 * i) + channel)) in
     Float.abs (score (estimate (Float.Array.init (count p) at))) > sure
   in
+  let common = estimate (over_pixels p (fun j -> first j *. second j)) in
+  score common > sure || List.exists shifts [ 0; 1; 2 ]
+
+let change ~base p =
+  let first = moved shown p.first base.first
+  and second = moved shown p.second base.second in
+  let common = estimate (over_pixels p (fun j -> first j *. second j)) in
   let noise =
     score (estimate (Float.Array.map2 ( -. ) (spread p) (spread base)))
   in
@@ -109,12 +120,12 @@ let change ~base p =
     bound = root (Float.max 0. common.value +. (likely *. common.deviation));
     noisier;
     quieter = noise < -.sure;
-    shows = noisier || score common > sure || List.exists shifts [ 0; 1; 2 ];
+    shows = noisier || mean_changes ~base p;
   }
 
 let wrong ~base p =
-  let first = moved p.first base.first
-  and second = moved p.second base.second in
+  let first = moved shown p.first base.first
+  and second = moved shown p.second base.second in
   let far j =
     (first j >= 1. && second j >= 1.) || (first j <= -1. && second j <= -1.)
   in

@@ -55,9 +55,10 @@ val change : base:t -> t -> change
 (** [change ~base p] is how [p] differs from [base]. What the two sets both see
     of a difference is no noise: the mean product of the differences in one and
     in the other estimates the mean square of the true one without bias. [shows]
-    asks five tests, each at level .001, over the pixels: whether that mean
-    product is positive; whether the mean of a channel (three of them) changes;
-    and whether the variance grows (or shrinks: a sixth). *)
+    asks five tests, of linear light but for the last, each at level .001, over
+    the pixels: whether that mean product is positive; whether the mean of a
+    channel (three of them) changes; and whether the variance grows (or shrinks:
+    a sixth). *)
 
 val wrong : base:t -> t -> int
 (** [wrong ~base p] counts the pixels that are off by a level or more, the same

@@ -13,6 +13,11 @@ let measure ?(seconds = 1.) values : Measure.t =
   in
   {
     picture = Picture.init ~width:count ~height:1 level;
+    linear =
+      Float.Array.of_list
+        (List.map
+           (fun v -> 255. *. ((v /. 255.) ** 2.2))
+           (Array.to_list values));
     shown = Float.Array.of_list (Array.to_list values);
     times = Float.Array.make count (seconds /. float_of_int count);
     seconds;
