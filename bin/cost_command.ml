@@ -14,17 +14,6 @@ type options = {
   quiet : bool;
 }
 
-(* The page that --html writes, once there is one. *)
-let page : (Price.t -> string) option = None
-
-(* [f write] with [write prices] to the page, if one is asked for. *)
-let writing_page o f =
-  match (o.html, page) with
-  | None, _ -> f (fun _ -> Ok ())
-  | Some _, None -> Error (Status.Usage "--html is not supported yet")
-  | (Some _ as name), Some page ->
-      Files.writing_some name (fun write -> f (fun p -> write (page p)))
-
 let survey o ~domains ~budget ~stop scene =
   let progress = Progress.make ~quiet:o.quiet in
   let progress_of share = Progress.report progress (Pace.sure share) in
@@ -56,14 +45,14 @@ let run o =
   let scene = Settings.apply o.settings scene in
   let stop = Files.stop_on_signals () in
   Files.writing_some o.csv @@ fun write_csv ->
-  writing_page o @@ fun write_page ->
+  Files.writing_some o.html @@ fun write_html ->
   let domains = Option.value o.domains ~default:(Rows.most_domains ()) in
   match survey o ~domains ~budget ~stop scene with
   | None -> Error (Status.Interrupted "interrupted; nothing was written")
   | Some survey ->
       let prices = Appraisal.v scene ~file:o.scene ~domains budget survey in
       let* () = write_csv (Price_text.csv prices) in
-      let* () = write_page prices in
+      let* () = write_html (Page.html prices) in
       talk o prices survey.missing;
       print_string (Price_text.table scene prices);
       Ok Status.Fine

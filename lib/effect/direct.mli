@@ -12,9 +12,6 @@ val calls : Scene.t -> Reason.t list
 (** [calls s] are the lights of [s] that can be seen: not black, and something
     has a part that shows them. *)
 
-val describe : Light.t -> string
-(** [describe l] is what people call a light of this kind. *)
-
 val shines : Light.t -> bool
 (** [shines l] is [true] iff [l] is not black. *)
 
