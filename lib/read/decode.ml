@@ -1,5 +1,5 @@
 type 'a value = {
-  words : unit -> Form.words;
+  words : unit -> string list;
   accepts : Located.t -> bool;
   read : Notes.t -> Located.t -> 'a option;
 }
@@ -26,9 +26,6 @@ let wrong_body notes (form : Form.t) ~arguments =
        (Form.synopsis form.head arguments)
        (Form.found form))
 
-let refuse_later notes span word =
-  refuse notes span (Quote.word word ^ " is not supported yet")
-
 (* [List.assoc] would compare polymorphically. *)
 let rec case head = function
   | [] -> None
@@ -45,7 +42,7 @@ let atom ~expected read_atom =
         refuse notes s.span
           (Printf.sprintf "expected %s, not %s" (expected ()) (Form.quote s))
   in
-  { words = (fun () -> Form.no_words); accepts = is_atom; read }
+  { words = (fun () -> []); accepts = is_atom; read }
 
 let word cases =
   let words = List.map fst cases in
@@ -66,12 +63,11 @@ let name = atom ~expected (fun _ span a -> Some (a, span))
 let reference kind =
   atom ~expected (fun notes span a -> Some (Notes.mention notes kind a span))
 
-let choice what ?atom ?(later = []) cases =
+let choice what ?atom cases =
   let heads = List.map fst cases in
-  let words () = { Form.now = heads; later } in
   let accepts (s : Located.t) =
     match Located.head s with
-    | Some head -> Option.is_some (case head cases) || List.mem head later
+    | Some head -> Option.is_some (case head cases)
     | None -> is_atom s && Option.is_some atom
   in
   let mistaken notes (s : Located.t) =
@@ -79,7 +75,7 @@ let choice what ?atom ?(later = []) cases =
       match s.node with
       | Atom a when List.mem_assoc a cases ->
           Some (Printf.sprintf "did you mean %s?" (Form.title a))
-      | Atom _ | List _ -> Form.unexpected "" (words ())
+      | Atom _ | List _ -> Form.unexpected "" ~among:heads
     in
     refuse notes s.span ?hint
       (Printf.sprintf "expected a %s, not %s" what (Form.quote s))
@@ -92,13 +88,12 @@ let choice what ?atom ?(later = []) cases =
     | List ({ node = Atom head; _ } :: body), _ -> (
         match case head cases with
         | Some body' -> body'.read_body notes { head; span = s.span; body }
-        | None when List.mem head later -> refuse_later notes s.span head
         | None ->
             refuse notes s.span
-              ?hint:(Form.unexpected head (words ()))
+              ?hint:(Form.unexpected head ~among:heads)
               (Printf.sprintf "unknown %s %s" what (Quote.word head)))
   in
-  { words; accepts; read }
+  { words = (fun () -> heads); accepts; read }
 
 let tuple b =
   let read notes (s : Located.t) =
@@ -116,9 +111,7 @@ let tuple b =
     | List [], None -> true
     | List (_ :: _), None | Atom _, _ -> false
   in
-  let words () =
-    { Form.no_words with now = [ Form.synopsis "" b.arguments ] }
-  in
+  let words () = [ Form.synopsis "" b.arguments ] in
   { words; accepts; read }
 
 let fix f =

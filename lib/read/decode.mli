@@ -14,7 +14,7 @@ type 'a value
 val read : 'a value -> Notes.t -> Located.t -> 'a option
 (** [read v notes s] is what [v] reads in [s]. *)
 
-val words : 'a value -> Form.words
+val words : 'a value -> string list
 (** [words v] is the heads of the forms that [v] reads. *)
 
 val accepts : 'a value -> Located.t -> bool
@@ -51,15 +51,9 @@ val read_body : 'a body -> Notes.t -> Form.t -> 'a option
 val arguments : 'a body -> string
 (** [arguments b] is what messages show. *)
 
-val choice :
-  string ->
-  ?atom:'a value ->
-  ?later:string list ->
-  (string * 'a body) list ->
-  'a value
+val choice : string -> ?atom:'a value -> (string * 'a body) list -> 'a value
 (** [choice what cases] is a form with one of these heads; errors call it
-    [what]. A bare word or number is read by [atom]. Forms with a head in
-    [later] belong to the language, but are refused as not supported yet. *)
+    [what]. A bare word or number is read by [atom]. *)
 
 val tuple : 'a body -> 'a value
 (** [tuple b] is a list that has only a body, as in [(0 1 0)]. *)
@@ -106,7 +100,3 @@ val fix : ('a value -> 'a value) -> 'a value
 
 val all : 'a option list -> 'a list option
 (** [all l] is what is in [l], unless there is a [None]. *)
-
-val refuse_later : Notes.t -> Span.t -> string -> 'a option
-(** [refuse_later notes span word] refuses a word of the language that is not
-    supported yet. *)

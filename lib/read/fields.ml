@@ -3,7 +3,7 @@ open Decode
 (* [takes] tells what belongs to these fields, [suggest] names it. Unless
    [sound], what seems to be missing may only be misspelt. *)
 type 'a fields = {
-  suggest : unit -> Form.words;
+  suggest : unit -> string list;
   takes : Located.t -> bool;
   take : Notes.t -> Form.t -> sound:bool -> 'a option;
 }
@@ -23,14 +23,14 @@ let ( and+ ) f g =
     | None, _ | _, None -> None
   in
   {
-    suggest = (fun () -> Form.join (f.suggest ()) (g.suggest ()));
+    suggest = (fun () -> f.suggest () @ g.suggest ());
     takes = (fun s -> f.takes s || g.takes s);
     take;
   }
 
 let nothing =
   {
-    suggest = (fun () -> Form.no_words);
+    suggest = (fun () -> []);
     takes = (fun _ -> false);
     take = (fun _ _ ~sound:_ -> Some ());
   }
@@ -56,11 +56,7 @@ let optional head b =
         let refuse _ = refuse_again notes ~outer:form.head ~first in
         List.fold_left refuse None again
   in
-  {
-    suggest = (fun () -> { Form.no_words with now = [ head ] });
-    takes = is_headed head;
-    take;
-  }
+  { suggest = (fun () -> [ head ]); takes = is_headed head; take }
 
 let field head b =
   let f = optional head b in
@@ -84,16 +80,6 @@ let present head =
   let+ found = optional head flag in
   Option.is_some found
 
-let later heads =
-  let takes s = List.exists (fun head -> is_headed head s) heads in
-  let take notes (form : Form.t) ~sound:_ =
-    let refuse _ (f : Form.t) = refuse_later notes f.span f.head in
-    List.filter takes form.body
-    |> List.filter_map Form.of_located
-    |> List.fold_left refuse (Some ())
-  in
-  { suggest = (fun () -> { Form.no_words with later = heads }); takes; take }
-
 let items v =
   let take notes (form : Form.t) ~sound:_ =
     all (List.map (read v notes) (List.filter (accepts v) form.body))
@@ -107,7 +93,7 @@ let item what v =
       Notes.refuse notes form.span
         (Printf.sprintf "%s needs one %s, not %s" (Form.title form.head) what
            found)
-        ?hint:(Form.unexpected "" (words v))
+        ?hint:(Form.unexpected "" ~among:(words v))
     in
     match list.take notes form ~sound with
     | None -> None
@@ -127,7 +113,7 @@ let refuse_strays notes (outer : Form.t) ~suggest strays =
     match Located.head s with
     | Some head when not (List.mem head Words.top_level) ->
         error s
-          ?hint:(Form.unexpected head (suggest ()))
+          ?hint:(Form.unexpected head ~among:(suggest ()))
           (Printf.sprintf "unknown field %s in %s" (Quote.word head) outer);
         out_of_place
     | (Some _ | None) when out_of_place -> true
@@ -137,7 +123,7 @@ let refuse_strays notes (outer : Form.t) ~suggest strays =
         true
     | None ->
         error s
-          ?hint:(Form.unexpected "" (suggest ()))
+          ?hint:(Form.unexpected "" ~among:(suggest ()))
           (Printf.sprintf "%s has no place in %s" (Form.quote s) outer);
         true
   in

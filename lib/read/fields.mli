@@ -37,9 +37,6 @@ val default : string -> 'a body -> 'a -> 'a fields
 val present : string -> bool fields
 (** [present head] is [true] iff the form [(head)] is there. *)
 
-val later : string list -> unit fields
-(** [later heads] are fields of the language that are not supported yet. *)
-
 val items : 'a value -> 'a list fields
 (** [items v] is everything that looks like a [v], in order. *)
 

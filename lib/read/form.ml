@@ -29,13 +29,9 @@ let found form =
   | n when List.for_all is_atom form.body -> Quote.count n "word"
   | n -> Quote.count n "item"
 
-type words = { now : string list; later : string list }
-
-let no_words = { now = []; later = [] }
-let join a b = { now = a.now @ b.now; later = a.later @ b.later }
-
-let unexpected word { now; later } =
-  match Spelling.hint word ~among:(now @ later) with
+let unexpected word ~among =
+  match Spelling.hint word ~among with
   | Some _ as hint -> hint
-  | None when List.is_empty now || List.compare_length_with now 12 > 0 -> None
-  | None -> Some ("expected " ^ Quote.list now)
+  | None when List.is_empty among || List.compare_length_with among 12 > 0 ->
+      None
+  | None -> Some ("expected " ^ Quote.list among)

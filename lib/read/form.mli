@@ -19,19 +19,7 @@ val quote : Located.t -> string
 val found : t -> string
 (** [found f] says how much there is in the body of [f]. *)
 
-(** {1 Which words there are} *)
-
-type words = {
-  now : string list;
-  later : string list;  (** words of the language that are not supported yet *)
-}
-
-val no_words : words
-(** [no_words] is none, the identity of {!join}. *)
-
-val join : words -> words -> words
-(** [join a b] is the words of both. *)
-
-val unexpected : string -> words -> string option
-(** [unexpected word words] is a hint for a [word] that is none of [words]:
-    which of them was meant, or what there is now, if that is not too much. *)
+val unexpected : string -> among:string list -> string option
+(** [unexpected word ~among] is a hint for a [word] that is none of those
+    [among] which one is expected: which of them was meant, or all of them, if
+    they are not too many. *)

@@ -310,6 +310,8 @@ let settings r : Scene.settings =
     cutoff = share r;
     seed = (if bool r then max_int else int 0 99 r);
     filter = (if bool r then Box else Tent);
+    error = option size r;
+    time = option size r;
   }
 
 let is_near (l : Light.t) =

@@ -58,19 +58,6 @@ let flags () =
   refuses b "(f (on) (on))"
     [ "9 (on ...) is given twice in (f ...); the first is at 1:4" ]
 
-let not_yet () =
-  let b =
-    Fields.(
-      fields
-        (let+ a = number "a" and+ () = later [ "soon"; "never" ] in
-         Printf.sprintf "%g" a))
-  in
-  check b "(f (a 1))" "1";
-  refuses b "(f (a 1) (soon 1) (never))"
-    [ "10 `soon` is not supported yet"; "19 `never` is not supported yet" ];
-  refuses b "(f (a 1) (nver))"
-    [ "10 unknown field `nver` in (f ...); did you mean `never`?" ]
-
 let sums = Piece.reads (List.equal Float.equal)
 
 let listed () =
@@ -165,7 +152,6 @@ let suite =
       case "an optional field may be left out, with a default or none"
         not_required;
       case "a flag is there or not" flags;
-      case "fields of the language to come are not supported yet" not_yet;
       case "items are read in order, among other fields" listed;
       case "a single item is needed, and no more" only_one;
       case "what no field takes is an error" strangers;

@@ -3,6 +3,7 @@ let () =
     [
       Test_spelling.suite;
       Test_number.suite;
+      Test_duration.suite;
       Test_quote.suite;
       Test_rule.suite;
       Test_span.suite;

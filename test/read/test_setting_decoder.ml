@@ -44,7 +44,13 @@ let settings () =
       filter = Tent;
       error = None;
       time = None;
-    }
+    };
+  let most = { d with spp = Scene.most_samples } in
+  reads "(render (error .5))" { most with error = Some 0.5 };
+  reads "(render (time 1.5m))" { most with time = Some 90. };
+  reads "(render (time 3))" { most with time = Some 3. };
+  reads "(render (time 20s) (spp 64) (error 1))"
+    { d with spp = 64; error = Some 1.; time = Some 20. }
 
 let no_settings () =
   let refuses = Piece.refuses render in
@@ -58,8 +64,13 @@ let no_settings () =
     [ Printf.sprintf "15 (seed ...) must be from 0 to %d, but is `-1`" max_int ];
   refuses "(render (filter tend))"
     [ "17 expected `box` or `tent`, not `tend`; did you mean `tent`?" ];
-  refuses "(render (error .1) (time 3))"
-    [ "9 `error` is not supported yet"; "20 `time` is not supported yet" ];
+  refuses "(render (error 0) (time 0s))"
+    [
+      "16 (error ...) must be above 0, but is `0`";
+      "25 `0s`: expected a time above 0, such as 20s or 1.5m";
+    ];
+  refuses "(render (error inf) (time (s 3)))"
+    [ "16 `inf` is not a number"; "27 expected a time, not (s ...)" ];
   refuses "(render (spp 1) (spp 1))"
     [ "17 (spp ...) is given twice in (render ...); the first is at 1:9" ]
 

@@ -12,8 +12,7 @@ let defaults () =
   Alcotest.(check bool) "ambient" true (Option.is_none s.ambient);
   Alcotest.(check bool)
     "settings" true
-    (Scene.equal_settings s.settings
-       { spp = 16; depth = None; cutoff = 0.; seed = 0; filter = Box });
+    (Scene.equal_settings s.settings Scene.default_settings);
   Alcotest.(check int) "lights" 0 (List.length s.lights);
   Alcotest.(check int) "surfaces" 0 (List.length s.surfaces)
 
@@ -27,7 +26,15 @@ let settings () =
   Alcotest.(check bool)
     "settings" true
     (Scene.equal_settings s.settings
-       { spp = 4; depth = Some 0; cutoff = 0.5; seed = 7; filter = Tent });
+       {
+         spp = 4;
+         depth = Some 0;
+         cutoff = 0.5;
+         seed = 7;
+         filter = Tent;
+         error = None;
+         time = None;
+       });
   let s = ok_forms "(render (depth 3))" in
   Alcotest.(check bool)
     "only depth" true
@@ -80,11 +87,10 @@ let design () =
 (* Words.top_level is what strays in other forms are compared with. *)
 let words () =
   let form = Top_level.form ~include_:(fun _ _ _ t -> t) in
-  let { Form.now; later } = Decode.words form in
   Alcotest.(check (list string))
     "words"
     (List.sort String.compare Words.top_level)
-    (List.sort String.compare (now @ later))
+    (List.sort String.compare (Decode.words form))
 
 let recovery () =
   errors "a wrong definition still defines its name"

@@ -9,6 +9,8 @@ let defaults () =
   Alcotest.(check (list int)) "spp, seed" [ 16; 0 ] [ spp; seed ];
   Alcotest.(check (option int)) "depth" None depth;
   Alcotest.(check (float 0.)) "cutoff" 0. cutoff;
+  Alcotest.(check (list (option (float 0.))))
+    "error, time" [ None; None ] [ error; time ];
   Alcotest.(check bool) "filter" true (filter = Box)
 
 (* Whether any place but the unknown one is left anywhere. *)
