@@ -57,6 +57,27 @@ let any_order xs =
   let s = total xs and s' = total (List.sort Float.compare xs) in
   Float.abs (s -. s') <= Exact.ulp s
 
+(* In the middle of others, which stay as they are. *)
+let in_place (xs, at) =
+  let a = Float.Array.make 8 0.5 in
+  Float.Array.fill a at 2 0.;
+  let add s x =
+    Running_sum.accumulate a at x;
+    let s = Running_sum.add s x in
+    (* Both words of it: [compare] takes nan for nan. *)
+    if compare s (Running_sum.held a at) = 0 then s
+    else Law.fail "%h, in place %h" (Running_sum.total s) (Float.Array.get a at)
+  in
+  let (_ : Running_sum.t) = List.fold_left add Running_sum.zero xs in
+  List.for_all
+    (fun i -> i = at || i = at + 1 || Float.Array.get a i = 0.5)
+    (List.init 8 Fun.id)
+
+let awkward =
+  Gen.(
+    oneof
+      [ real; real; real; Draw.pick [ infinity; neg_infinity; nan; max_float ] ])
+
 let suite =
   ( "running sums",
     [
@@ -71,4 +92,9 @@ let suite =
         "a sum of parts is right likewise" (pair terms) joined;
       Law.law ~print:show "order moves a sum by an ulp at most" terms any_order;
       Law.example "infinities and nan are not lost" odd;
+      Law.law
+        ~print:(fun (xs, at) -> Printf.sprintf "at %d: %s" at (show xs))
+        "in place a sum has the bits that it has elsewhere"
+        Gen.(pair (list_size (int_range 0 40) awkward) (int_bound 6))
+        in_place;
     ] )

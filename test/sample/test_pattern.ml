@@ -9,7 +9,7 @@ let positions ?(seed = 0) ~spp x y =
 
 let gen =
   let open Gen in
-  let+ spp = oneof [ int_range 2 40; Draw.pick [ 64; 100; 101; 256; 1000 ] ]
+  let+ spp = oneof [ int_range 1 40; Draw.pick [ 64; 100; 101; 256; 1000 ] ]
   and+ x = int_bound 5000
   and+ y = int_bound 5000
   and+ seed = int in
@@ -59,14 +59,6 @@ let any_order ((spp, x, y, seed) as case) =
     List.init spp (fun i -> Pattern.position pattern ~x ~y (spp - 1 - i))
   in
   List.rev backwards = Array.to_list forwards
-
-let centre () =
-  List.iter
-    (fun (x, y, seed) ->
-      let { Pattern.u; v } = (positions ~seed ~spp:1 x y).(0) in
-      Alcotest.(check (pair (float 0.) (float 0.)))
-        "one sample" (0.5, 0.5) (u, v))
-    [ (0, 0, 0); (17, 4, 99); (639, 479, -5) ]
 
 (* Seeds, found by running the hash backwards, with which the first sample of the
    first pixel is as far as it gets in its cell (0 or 1 - 2^-53), across or in its
@@ -126,7 +118,7 @@ let uniform () =
         even "v" bins (fun p -> floor_of bins p.v);
         even "the place" 64 (fun p -> (8 * floor_of 8 p.u) + floor_of 8 p.v)
       done)
-    [ 2; 3; 4; 5; 7; 9; 16; 17 ]
+    [ 1; 2; 3; 4; 5; 7; 9; 16; 17 ]
 
 let pixels_differ () =
   let pattern = Pattern.make ~seed:0 ~spp:16 in
@@ -204,7 +196,6 @@ let tent_rises =
 let suite =
   ( "patterns",
     [
-      Law.example "one sample is at the exact centre" centre;
       law "G25: samples are in the unit square" in_square;
       Law.example "G25: nor do they leave it where keys give 0 or 1 - 2^-53"
         at_the_edge;

@@ -100,6 +100,88 @@ let mean (s : Scene.t) =
        (mean (fun c -> c.Rgb.g))
        (mean (fun c -> c.Rgb.b)))
 
+(* {1 Sums of samples} *)
+
+(* A pixel of a scene, and where its range of samples is cut; some cuts are at
+   the same place, some at the end. *)
+let cut =
+  let open QCheck2.Gen in
+  let* s = oneof [ Drawn.scene Round; Rich.scene Round ] in
+  let* x = int_bound (s.Scene.width - 1) and* y = int_bound (s.height - 1) in
+  let* until = int_range 1 40 in
+  let+ cuts = list_size (int_bound 4) (int_bound until) in
+  (s, (x, y), List.sort Int.compare (until :: cuts))
+
+let print_cut (s, (x, y), cuts) =
+  Printf.sprintf "pixel %d %d, cut at %s, of %s" x y
+    (String.concat " " (List.map string_of_int cuts))
+    (Drawn.show s)
+
+(* After numbers that are not the pixel's. *)
+let before = 3
+let empty () = Float.Array.make (before + Pixel.slots + 1) 0.
+
+let same_bits a b =
+  let bits a = List.map Int64.bits_of_float (Float.Array.to_list a) in
+  List.equal Int64.equal (bits a) (bits b)
+
+let in_parts (s, (x, y), cuts) =
+  let pixel = Pixel.compile s in
+  let fill cuts =
+    let sums = empty () and tally = Tally.make () in
+    let part from until =
+      Pixel.add pixel tally ~x ~y ~from ~until sums before;
+      until
+    in
+    let (_ : int) = List.fold_left part 0 cuts in
+    (sums, tally)
+  in
+  let parts, tally = fill cuts
+  and all, tally' = fill [ List.hd (List.rev cuts) ] in
+  let asked t = Tally.get t Camera_rays + Tally.get t Spared_samples in
+  same_bits parts all && asked tally = asked tally'
+
+(* Of each stream and of all, against the sum of its samples one by one. *)
+let exact_sums (s, (x, y), cuts) =
+  let until = List.hd (List.rev cuts) in
+  let pixel = Pixel.compile s and tally = Tally.make () in
+  let sums = empty () in
+  Pixel.add pixel tally ~x ~y ~from:0 ~until sums before;
+  let sample i = Pixel.sample pixel tally ~x ~y ~sample:i in
+  let samples = List.init until (fun i -> (i, sample i)) in
+  let total part own =
+    let add sum (i, c) = if own i then Exact.(sum + q (part c)) else sum in
+    Q.to_float (List.fold_left add Exact.zero samples)
+  in
+  let part = [| (fun c -> c.Rgb.r); (fun c -> c.g); (fun c -> c.b) |] in
+  let streams = Candor_sample.Sampler.streams in
+  let of_stream k =
+    let stream = k mod streams and channel = k / streams in
+    let sum =
+      Candor_number.Running_sum.total
+        (Pixel.stream_sum sums before ~stream ~channel)
+    in
+    Float.equal sum (total part.(channel) (fun i -> i mod streams = stream))
+  in
+  let all part = total part (fun _ -> true) /. float_of_int until in
+  Rgb.equal
+    (Pixel.mean sums before ~samples:until)
+    (Rgb.v (all part.(0)) (all part.(1)) (all part.(2)))
+  && List.for_all of_stream (List.init (3 * streams) Fun.id)
+  && Float.Array.get sums 0 = 0.
+  && Float.Array.get sums (before + Pixel.slots) = 0.
+
+let nothing_to_add () =
+  let s =
+    scene ~forms:[ "(sphere (center 4 -3 0) (radius 2))" ] Written.plain
+  in
+  let pixel = Pixel.compile s and tally = Tally.make () in
+  let sums = empty () in
+  Pixel.add pixel tally ~x:4 ~y:3 ~from:5 ~until:5 sums before;
+  Pixel.add pixel tally ~x:4 ~y:3 ~from:5 ~until:3 sums before;
+  Alcotest.(check bool) "no sum" true (same_bits sums (empty ()));
+  Alcotest.(check int) "no ray" 0 (Tally.get tally Camera_rays)
+
 let parts () =
   let s = scene ~forms:[ "(sphere (center 0 0 0) (radius 1))" ] Written.plain in
   let p = Pixel.compile s in
@@ -178,6 +260,12 @@ let suite =
       Law.law ~count:100 ~print:show
         "a pixel is the mean of its samples, their sum rounded once"
         (Drawn.scene Round) mean;
+      Law.law ~count:100 ~print:print_cut
+        "samples added in parts have the sums of those added at once" cut
+        in_parts;
+      Law.law ~count:100 ~print:print_cut
+        "sums and mean are those of the samples, rounded once" cut exact_sums;
+      Law.example "an empty range adds nothing" nothing_to_add;
       Law.example "a compiled scene tells its plan and surface" parts;
       Law.example "surfaces are met by the math asked for, else by Candor's"
         by_math;
