@@ -84,11 +84,16 @@ let row_of_string number width line =
   in
   fill 0 (words line)
 
+(* What a picture can have each way. *)
+let most_pixels = 65536
+
 let header line =
   match words line with
   | [ "candor-map"; "1"; "width"; w; "height"; h ] -> (
       match (int_of_string_opt w, int_of_string_opt h) with
-      | Some w, Some h when w >= 1 && h >= 1 -> Ok (w, h)
+      | Some w, Some h
+        when 1 <= w && w <= most_pixels && 1 <= h && h <= most_pixels ->
+          Ok (w, h)
       | _ -> wrong 1 "the size is not that of a picture")
   | "candor-map" :: version :: _ when version <> "1" ->
       wrong 1 ("version " ^ version ^ " of sample maps is not known")
@@ -110,8 +115,7 @@ let rec all = function
   | Ok x :: rest -> Result.map (fun rest -> x :: rest) (all rest)
   | (Error _ as e) :: _ -> e
 
-let of_string text =
-  match String.split_on_char '\n' (String.trim text) with
+let of_lines = function
   | first :: second :: rows ->
       let* width, height = header first in
       let* window = window_of_string (width, height) second in
@@ -125,7 +129,14 @@ let of_string text =
         let row i = row_of_string (i + 3) (Window.width window) in
         let* rows = all (List.mapi row rows) in
         Ok (v ~width ~height window (Array.of_list rows))
-  | [ first ] ->
-      let* _ = header first in
+  | ([] | [ _ ]) as lines ->
+      let* _ = header (String.concat "" lines) in
       wrong 2 "expected 'window X0 Y0 X1 Y1'"
-  | [] -> wrong 1 "this is not a sample map, which begins with 'candor-map 1'"
+
+(* The end of the last line shows that nothing is missing. *)
+let of_string text =
+  match List.rev (String.split_on_char '\n' text) with
+  | "" :: lines -> of_lines (List.rev lines)
+  | ([] | _ :: _) as lines ->
+      let* _ = of_lines (List.rev lines) in
+      wrong (List.length lines) "the line does not end"
