@@ -27,8 +27,8 @@ let of_parts ~count ~seconds =
       in
       {
         share;
-        low = share_if (mean +. (2. *. deviation));
-        high = share_if (mean -. (2. *. deviation));
+        low = Float.min share (share_if (mean +. (2. *. deviation)));
+        high = Float.max share (share_if (mean -. (2. *. deviation)));
       }
 
 let of_forecast ~taken (f : Adaptive.forecast) =
