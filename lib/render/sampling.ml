@@ -35,6 +35,9 @@ let pairs =
 
 let size ~samples stream = (samples - stream + streams - 1) / streams
 
+(* Rounding leaves less than this of numbers up to 255 that are alike. *)
+let rounding = 0x1p-40
+
 (* What the squared change is worth when a share [w] of the samples is left out:
    right on average, were the display linear. *)
 let worth ~out:w change = (1. -. w) /. w *. change *. change
@@ -49,7 +52,7 @@ let channel ~samples ~sums ~shares =
     let change =
       Display.encode ((total -. sum) /. (n *. (1. -. share))) -. shown
     in
-    worth ~out:share change
+    if Float.abs change < rounding then 0. else worth ~out:share change
   in
   let one i = without sums.(i) shares.(i)
   and two (i, j) = without (sums.(i) +. sums.(j)) (shares.(i) +. shares.(j)) in
