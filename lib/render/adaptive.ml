@@ -120,7 +120,7 @@ let scale_for_time job s allocation =
   let left = left job in
   if left = infinity then infinity
   else
-    let more = time_share *. Float.max 0. left /. s.rate in
+    let more = if left > 0. then time_share *. left /. s.rate else 0. in
     Allocation.for_total allocation ~most:job.target.most (s.taken +. more)
 
 (* {1 Forecasts} *)

@@ -2,7 +2,7 @@
 
 open Candor_scene
 
-type t = { x0 : int; y0 : int; x1 : int; y1 : int }
+type t = { x0 : int; y0 : int; x1 : int; y1 : int } [@@deriving show, eq]
 (** The pixels x0 ≤ x < x1, y0 ≤ y < y1 of the full picture. *)
 
 val full : Scene.t -> t

@@ -37,8 +37,10 @@ let masked text =
       String.concat "\n" (String.concat " " (mask words) :: rest)
   | [] -> ""
 
+let confidence = 0.95
+
 let text ?(name = "out.ppm") ?(format = Picture_file.Ppm) s =
-  masked (Ledger.text ~name ~format s (report s))
+  masked (Ledger.text ~name ~format ~confidence s (report s))
 
 let check name expected actual =
   Alcotest.(check string) name (String.concat "\n" expected) actual
@@ -47,7 +49,7 @@ let golden () =
   check "one sample"
     [
       "out.ppm 20x10 1 spp T s 216 rays N words/ray";
-      "  sampling   unknown: one sample a pixel says nothing of its error";
+      "  sampling   unknown: 1 sample a pixel is too few to tell, 4 are enough";
       "  cut-off    0: no path was cut";
       "  numerics   16 of 32 tests needed more than plain doubles; 0 non-finite";
       "  output     184 pixels clamped at 255; 8-bit rounding 0.08/255";
@@ -55,10 +57,11 @@ let golden () =
     (text (scene ()));
   check "linear"
     [
-      "out.pfm 20x10 1..2 spp T s 342 rays N words/ray";
-      "  sampling   unknown: 2 stratified samples do not tell their own error";
+      "out.pfm 20x10 1..2 spp T s 338 rays N words/ray";
+      "  sampling   unknown: 2 samples a pixel are too few to tell, 4 are \
+       enough";
       "  cut-off    0: no path was cut";
-      "  numerics   42 of 84 tests needed more than plain doubles; 0 non-finite";
+      "  numerics   38 of 76 tests needed more than plain doubles; 0 non-finite";
       "  output     linear radiance in 32-bit floats: nothing is clamped";
     ]
     (text ~name:"out.pfm" ~format:Pfm (scene ~spp:2 ()))
@@ -122,7 +125,8 @@ let json () =
   let s = scene ~spp:2 () in
   let r = report s in
   let j =
-    Json_reader.parse (Json.to_string (Ledger.json s (Plan.of_scene s) r))
+    Json_reader.parse
+      (Json.to_string (Ledger.json ~confidence s (Plan.of_scene s) r))
   in
   let check path expected =
     Alcotest.(check bool)
@@ -144,14 +148,82 @@ let json () =
   check [ "image"; "width" ] (Number "20");
   check [ "image"; "spp" ] (Number "2");
   check [ "ledger"; "numerics"; "non_finite" ] (Number "0");
-  check [ "ledger"; "numerics"; "tests" ] (Number "84");
-  check [ "ledger"; "numerics"; "careful" ] (Number "42");
+  check [ "ledger"; "numerics"; "tests" ] (Number "76");
+  check [ "ledger"; "numerics"; "careful" ] (Number "38");
   List.iter
     (fun path ->
       match Json_reader.get path j with
       | Number _ -> ()
       | _ -> Alcotest.fail "a number is expected")
     [ [ "seconds" ]; [ "words_per_ray" ]; [ "ledger"; "output"; "rounding" ] ]
+
+(* {1 Errors} *)
+
+let alike =
+  Written.scene [ Written.size 4 3; Written.flat_camera; "(background .5)" ]
+
+let adaptive ?left ~error ~most s =
+  let target = { Adaptive.error = Some error; confidence; left; most } in
+  Test_picture.get
+    (Render.run ~domains:1 ~samples:(Adaptive target)
+       (Candor_trace.Pixel.compile s)
+       s)
+
+let told s r = line 1 (Ledger.text ~name:"" ~format:Ppm ~confidence s r)
+
+let field s r name =
+  Json_reader.get
+    [ "ledger"; "sampling"; name ]
+    (Json_reader.parse
+       (Json.to_string (Ledger.json ~confidence s (Plan.of_scene s) r)))
+
+let targets () =
+  let check name expected ~met r s =
+    Alcotest.(check string) name expected (told s r);
+    Alcotest.(check bool) (name ^ ", met") true (field s r "met" = Bool met)
+  in
+  let zero = "  sampling   0.00/255 rms (95 %: 0.00 .. 0.00)" in
+  check "met"
+    (zero ^ "   target 0.5 met")
+    ~met:true
+    (adaptive ~error:0.5 ~most:64 alike)
+    alike;
+  check "too few"
+    "  sampling   unknown: 3 samples a pixel are too few to tell, 4 are \
+     enough   target 0.5 missed: out of samples"
+    ~met:false
+    (adaptive ~error:0.5 ~most:3 alike)
+    alike;
+  check "no time"
+    "  sampling   unknown: 1 sample a pixel is too few to tell, 4 are enough   \
+     target 0.5 missed: out of time"
+    ~met:false
+    (adaptive ~left:(fun () -> -1.) ~error:0.5 ~most:64 alike)
+    alike
+
+(* The line, its numbers and those for programs say the same. *)
+let intervals () =
+  let s = scene ~spp:8 () in
+  let r = report s in
+  let numbers name =
+    match field s r name with
+    | Number x -> float_of_string x
+    | Null | Bool _ | String _ | List _ | Object _ -> Alcotest.fail name
+  in
+  let rms = numbers "rms" and low = numbers "low" and high = numbers "high" in
+  Alcotest.(check bool) "in order" true (0. < low && low < rms && rms < high);
+  Alcotest.(check bool) "how sure" true (numbers "confidence" = confidence);
+  Alcotest.(check string)
+    "as text"
+    (Printf.sprintf "  sampling   %.2f/255 rms (95 %%: %.2f .. %.2f)" rms low
+       high)
+    (told s r);
+  let one = scene () in
+  Alcotest.(check bool)
+    "unknown is null" true
+    (List.for_all
+       (fun name -> field one (report one) name = Null)
+       [ "rms"; "low"; "high" ])
 
 let suite =
   ( "ledgers",
@@ -162,4 +234,6 @@ let suite =
         non_finite;
       Law.example "what an 8-bit file loses" output;
       Law.example "the same as JSON" json;
+      Law.example "whether a target was met, and why not" targets;
+      Law.example "the error of sampling is told with its interval" intervals;
     ] )

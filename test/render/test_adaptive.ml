@@ -1,0 +1,289 @@
+open Candor_image
+open Candor_render
+open Candor_trace
+open Candor_oracle
+open Candor_scene_made
+open QCheck2
+
+(* A soft shadow on a wall, half lit: noise on one side, none above. *)
+let noisy ?(size = (16, 12)) ?(seed = 0) () =
+  Written.scene
+    [
+      Written.size (fst size) (snd size);
+      Printf.sprintf "(render (seed %d))" seed;
+      Written.flat_camera;
+      "(background .2)";
+      "(box (min -2 -1 -1) (max 2 .5 0) (material (matte (color .8))))";
+      "(box (min -.3 -.9 .5) (max .3 .2 .6) (material (matte (color .8))))";
+      "(sphere (center -2 2 3) (radius .7) (material (emitter (radiance 9))))";
+    ]
+
+let flat =
+  Written.scene [ Written.size 6 5; Written.flat_camera; "(background .3)" ]
+
+let target ?error ?(confidence = 0.95) ?left ?(most = 1 lsl 20) () =
+  { Adaptive.error; confidence; left; most }
+
+let render ?(domains = 2) ?progress ?window samples s =
+  match Render.run ~domains ?progress ?window ~samples (Pixel.compile s) s with
+  | Some r -> r
+  | None -> Alcotest.fail "the render was stopped"
+
+let adaptive ?domains ?progress ?window target s =
+  render ?domains ?progress ?window (Adaptive target) s
+
+let aim (r : Render.report) =
+  match r.aim with
+  | Some aim -> aim
+  | None -> Alcotest.fail "an adaptive render tells how it went"
+
+let endings =
+  Alcotest.testable
+    (Fmt.of_to_string (function
+      | Adaptive.Met -> "met"
+      | Out_of_time -> "out of time"
+      | Out_of_samples -> "out of samples"))
+    ( = )
+
+let ends name expected r = Alcotest.check endings name expected (aim r).ending
+
+let upper ?(confidence = 0.95) (r : Render.report) =
+  Sampling.upper ~confidence r.sampling
+
+let map (r : Render.report) = Sample_map.to_string r.map
+
+(* {1 Forecasts} *)
+
+let in_order taken (f : Adaptive.forecast) =
+  let { Adaptive.taken = now; total; low; high } = f in
+  if not (taken <= now && now <= low && low <= total && total <= high) then
+    Alcotest.failf "%g taken (%g before), %g in %g .. %g" now taken total low
+      high;
+  now
+
+let forecasts r =
+  let last = List.fold_left in_order 0. (aim r).forecasts in
+  Alcotest.(check bool)
+    "none of what is done" true
+    (last <= Sample_map.total r.map)
+
+(* {1 Endings} *)
+
+let met () =
+  List.iter
+    (fun (error, confidence) ->
+      List.iter
+        (fun seed ->
+          let name = Printf.sprintf "%g at %g, seed %d" error confidence seed in
+          let r = adaptive (target ~error ~confidence ()) (noisy ~seed ()) in
+          ends name Met r;
+          forecasts r;
+          match upper ~confidence r with
+          | Some upper when upper <= error -> ()
+          | Some upper -> Alcotest.failf "%s: at most %g" name upper
+          | None -> Alcotest.failf "%s: unknown" name)
+        [ 0; 1; 2; 3; 4 ])
+    [ (20., 0.5); (6., 0.95); (2., 0.68); (1., 0.99) ]
+
+(* Uneven noise is worth uneven numbers. *)
+let uneven () =
+  let r = adaptive (target ~error:1. ()) (noisy ()) in
+  let least = Sample_map.least r.map and most = Sample_map.most r.map in
+  if most < 3 * least then
+    Alcotest.failf "from %d to %d samples only" least most
+
+let all_alike () =
+  let r = adaptive (target ~error:0.001 ()) flat in
+  ends "no error" Met r;
+  Alcotest.(check (option (float 0.))) "none at all" (Some 0.) (upper r);
+  Alcotest.(check int) "four samples tell that" 4 (Sample_map.most r.map)
+
+let out_of_samples () =
+  List.iter
+    (fun most ->
+      let r = adaptive (target ~error:0.01 ~most ()) (noisy ()) in
+      let name = Printf.sprintf "%d at most" most in
+      ends name Out_of_samples r;
+      forecasts r;
+      Alcotest.(check int) name most (Sample_map.most r.map))
+    [ 1; 2; 3; 4; 5; 8; 30 ]
+
+(* A clock of its own: each look at it takes a while. *)
+let clock ~seconds ~step =
+  let looks = Atomic.make 0 in
+  let left () =
+    let n = Atomic.fetch_and_add looks 1 in
+    if n > 10_000 then Alcotest.fail "it never ends";
+    seconds -. (step *. float_of_int n)
+  in
+  (looks, left)
+
+let out_of_time () =
+  List.iter
+    (fun (error, seconds, step) ->
+      let looks, left = clock ~seconds ~step in
+      let r = adaptive (target ?error ~left ~most:64 ()) (noisy ()) in
+      let name = Printf.sprintf "%g s by %g" seconds step in
+      ends name Out_of_time r;
+      forecasts r;
+      Alcotest.(check bool)
+        (name ^ ": every pixel has a sample")
+        true
+        (Sample_map.least r.map >= 1);
+      Alcotest.(check bool)
+        (name ^ ": not many looks")
+        true
+        (Atomic.get looks < 1000))
+    [
+      (None, 10., 1.);
+      (None, 10., 0.01);
+      (None, 1e-9, 0.);
+      (None, 0., 0.);
+      (None, -5., 1.);
+      (None, 1e6, 0.);
+      (Some 0.001, 10., 3.);
+      (Some 0.001, 1e6, 0.);
+      (Some 0.001, 1e-9, 1e-9);
+    ]
+
+let either_first () =
+  let _, left = clock ~seconds:1e6 ~step:1e-3 in
+  ends "the error" Met (adaptive (target ~error:5. ~left ()) (noisy ()));
+  let _, left = clock ~seconds:10. ~step:1. in
+  ends "the time" Out_of_time
+    (adaptive (target ~error:0.01 ~left ()) (noisy ()))
+
+(* What has no error needs no time. *)
+let nothing_to_spend () =
+  let r = adaptive (target ~left:(fun () -> 1e6) ()) flat in
+  Alcotest.(check bool) "few" true (Sample_map.most r.map <= 16)
+
+(* The wall clock, which the samples of a picture wear away. *)
+let spends () =
+  let seconds = 0.5 in
+  let start = Unix.gettimeofday () in
+  let left () = start +. seconds -. Unix.gettimeofday () in
+  let r = adaptive ~domains:1 (target ~left ()) (noisy ()) in
+  let spent = Unix.gettimeofday () -. start in
+  ends "the time is up" Out_of_time r;
+  forecasts r;
+  if not (0.4 <= spent && spent <= 2.) then
+    Alcotest.failf "%g s instead of %g" spent seconds
+
+(* {1 The same again} *)
+
+let drawn =
+  let open Gen in
+  let* s = oneof [ Drawn.scene Round; Rich.scene Round ] in
+  let* error = Draw.pick [ 0.5; 2.; 8. ] and* most = Draw.pick [ 4; 20; 70 ] in
+  let* x0 = int_bound (s.width - 1) and* y0 = int_bound (s.height - 1) in
+  let+ x1 = int_range (x0 + 1) s.width and+ y1 = int_range (y0 + 1) s.height in
+  (s, target ~error ~most (), { Window.x0; y0; x1; y1 })
+
+let print (s, (t : Adaptive.target), { Window.x0; y0; x1; y1 }) =
+  Printf.sprintf "error %g, %d at most, %d,%d,%d,%d of %s"
+    (Option.value t.error ~default:nan)
+    t.most x0 y0 x1 y1 (Drawn.show s)
+
+let law name f = Law.law ~count:40 ~print name drawn f
+
+let same (a : Render.report) (b : Render.report) =
+  Shot.same a.picture b.picture
+  && (map a = map b || Law.fail "%s and\n%s" (map a) (map b))
+  && a.sampling = b.sampling
+
+let any_domains (s, target, _) =
+  let one = adaptive ~domains:1 target s in
+  List.for_all
+    (fun domains ->
+      let r = adaptive ~domains target s in
+      same one r && aim one = aim r)
+    [ 2; 5 ]
+
+let repeated (s, target, _) =
+  let r = adaptive target s in
+  let again = render ~domains:1 (Map r.map) s in
+  same r again && again.aim = None
+
+let cropped (s, target, (w : Window.t)) =
+  let r = adaptive target s in
+  let part = render ~window:w (Map r.map) s in
+  let cut =
+    Picture.init ~width:(Window.width w) ~height:(Window.height w) (fun x y ->
+        Picture.pixel r.picture (w.x0 + x) (w.y0 + y))
+  in
+  Shot.same cut part.picture
+  && List.for_all
+       (fun (x, y) -> Sample_map.(samples part.map x y = samples r.map x y))
+       (List.concat
+          (List.init (Window.height w) (fun y ->
+               List.init (Window.width w) (fun x -> (w.x0 + x, w.y0 + y)))))
+
+(* The map of a crop repeats it, too. *)
+let of_crop (s, target, (w : Window.t)) =
+  let r = adaptive ~window:w target s in
+  same r (render ~window:w (Map r.map) s)
+
+let bounded (s, target, _) =
+  let r = adaptive target s in
+  forecasts r;
+  let met =
+    match (upper r, target.Adaptive.error) with
+    | Some upper, Some error -> upper <= error
+    | (Some _ | None), (Some _ | None) -> false
+  in
+  Sample_map.least r.map >= Int.min 4 target.most
+  && Sample_map.most r.map <= target.most
+  &&
+  match (aim r).ending with
+  | Met -> met
+  | Out_of_samples -> not met
+  | Out_of_time -> false
+
+(* {1 Progress} *)
+
+let told () =
+  let seen = Atomic.make [] in
+  let rec add (p : Pace.t) =
+    let before = Atomic.get seen in
+    if not (Atomic.compare_and_set seen before (p :: before)) then add p
+  in
+  let r = adaptive ~progress:add (target ~error:1. ()) (noisy ()) in
+  let paces = Atomic.get seen in
+  Alcotest.(check bool) "something is told" true (paces <> []);
+  Alcotest.(check bool) "forecasts are made" true ((aim r).forecasts <> []);
+  List.iter
+    (fun { Pace.share; low; high } ->
+      Alcotest.(check bool)
+        "in order" true
+        (0. <= low && low <= share && share <= high && high <= 1.))
+    paces
+
+let stopped () =
+  let s = noisy () in
+  let looks = Atomic.make 0 in
+  let stop () = Atomic.fetch_and_add looks 1 > 30 in
+  let samples = Render.Adaptive (target ~error:0.01 ()) in
+  let r = Render.run ~domains:2 ~stop ~samples (Pixel.compile s) s in
+  Alcotest.(check bool) "no picture" true (Option.is_none r)
+
+let suite =
+  ( "adaptive renders",
+    [
+      Law.example "a target that is met is met at its confidence" met;
+      Law.example "samples go where the noise is" uneven;
+      Law.example "a picture without noise is done at once" all_alike;
+      Law.example "the most samples are the end, if the error is not met"
+        out_of_samples;
+      Law.example "so is the time, and every pixel has a sample" out_of_time;
+      Law.example "with both, whichever comes first ends it" either_first;
+      Law.example "a picture without an error needs no time" nothing_to_spend;
+      Law.example "the time is spent" spends;
+      law "1, 2 and 5 domains give the same bits, map and forecasts" any_domains;
+      law "its map renders the same bits" repeated;
+      law "so it does in a crop" cropped;
+      law "a crop's own map repeats the crop" of_crop;
+      law "from 4 samples to the most; met if and only if it says so" bounded;
+      Law.example "progress is told with its bounds" told;
+      Law.example "a stop ends it without a picture" stopped;
+    ] )
