@@ -39,12 +39,12 @@ let with_window =
   let* s = scenes in
   let* x0 = int_bound (s.width - 1) and* y0 = int_bound (s.height - 1) in
   let+ x1 = int_range (x0 + 1) s.width and+ y1 = int_range (y0 + 1) s.height in
-  (s, { Render.x0; y0; x1; y1 })
+  (s, { Window.x0; y0; x1; y1 })
 
-let print_window (s, { Render.x0; y0; x1; y1 }) =
+let print_window (s, { Window.x0; y0; x1; y1 }) =
   Printf.sprintf "%d,%d,%d,%d of %s" x0 y0 x1 y1 (Drawn.show s)
 
-let crop (s, ({ Render.x0; y0; x1; y1 } as window)) =
+let crop (s, ({ Window.x0; y0; x1; y1 } as window)) =
   let all = picture ~domains:1 s and r = get (report ~domains:2 ~window s) in
   let cut =
     Picture.init ~width:(x1 - x0) ~height:(y1 - y0) (fun x y ->
@@ -88,7 +88,9 @@ let progress () =
     let old = Atomic.get seen in
     if not (Atomic.compare_and_set seen old (x :: old)) then add x
   in
-  ignore (report ~domains:2 ~progress:add many : Render.report option);
+  ignore
+    (report ~domains:2 ~progress:(fun (p : Pace.t) -> add p.share) many
+      : Render.report option);
   let shares = List.sort Float.compare (Atomic.get seen) in
   Alcotest.(check (list (float 0.)))
     "every row once, up to 1"
@@ -106,7 +108,7 @@ let stopped () =
   let r =
     report ~domains:1
       ~stop:(fun () -> Atomic.get last)
-      ~progress:(fun x -> if x = 1. then Atomic.set last true)
+      ~progress:(fun p -> if p.share = 1. then Atomic.set last true)
       many
   in
   Alcotest.(check bool) "done" true (Option.is_some r)
@@ -143,8 +145,8 @@ let measures () =
   Alcotest.(check bool) "words" true (r.words > 0.);
   Alcotest.(check bool)
     "the full window" true
-    (Render.full many = { x0 = 0; y0 = 0; x1 = 67; y1 = 41 }
-    && r.window = Render.full many)
+    (Window.full many = { x0 = 0; y0 = 0; x1 = 67; y1 = 41 }
+    && r.window = Window.full many)
 
 let suite =
   ( "renders",

@@ -42,7 +42,7 @@ let said f =
 let speak ~quiet () =
   let p = Progress.make ~quiet in
   for i = 1 to 1000 do
-    Progress.report p (float_of_int i /. 1000.)
+    Progress.report p (Pace.sure (float_of_int i /. 1000.))
   done;
   Progress.finish p
 

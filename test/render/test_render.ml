@@ -4,6 +4,13 @@ let () =
   Alcotest.run "render"
     [
       Test_rows.suite;
+      Test_window.suite;
+      Test_row.suite;
+      Test_sampling.suite;
+      Test_allocation.suite;
+      Test_adaptive.suite;
+      Test_sample_map.suite;
+      Test_pace.suite;
       Test_picture.suite;
       Test_json.suite;
       Test_ledger.suite;

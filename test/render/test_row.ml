@@ -1,0 +1,98 @@
+open Candor_colour
+open Candor_effect
+open Candor_trace
+open Candor_image
+open Candor_render
+open Candor_oracle
+open Candor_scene_made
+open QCheck2
+
+let row (s : Candor_scene.Scene.t) y = Row.make ~x0:0 ~x1:s.width y
+
+(* What each pixel is asked for, time after time. *)
+let asked =
+  let open Gen in
+  let* s = oneof [ Drawn.scene Round; Rich.scene Round ] in
+  let* y = int_bound (s.height - 1) in
+  let+ passes =
+    list_size (int_range 1 3) (array_size (pure s.width) (int_bound 6))
+  in
+  (s, y, passes)
+
+let print (s, y, passes) =
+  let pass p = String.concat " " (List.map string_of_int (Array.to_list p)) in
+  Printf.sprintf "row %d, %s of %s" y
+    (String.concat ", then " (List.map pass passes))
+    (Drawn.show s)
+
+let greatest passes i =
+  List.fold_left (fun n (p : int array) -> Int.max n p.(i)) 0 passes
+
+let bits a = List.map Int64.bits_of_float (Float.Array.to_list a)
+
+(* One more at the end, so that each pixel has one. *)
+let in_passes (s, y, passes) =
+  let pixel = Pixel.compile s in
+  let some = row s y and once = row s y in
+  let want i = 1 + greatest passes i in
+  List.iter (fun p -> Row.take pixel some (fun i -> p.(i))) passes;
+  let held =
+    List.for_all
+      (fun i -> Row.samples some i = greatest passes i)
+      (List.init s.width Fun.id)
+  in
+  Row.take pixel some want;
+  Row.take pixel some (fun _ -> 0);
+  Row.take pixel once want;
+  let a = Row.result some and b = Row.result once in
+  let camera t = Tally.(get t Camera_rays + get t Spared_samples) in
+  held
+  && a.counts = Array.init s.width want
+  && a.counts = b.counts
+  && bits a.pixels = bits b.pixels
+  && a.sampling = b.sampling
+  && a.non_finite = b.non_finite
+  && camera a.tally = camera b.tally
+  && camera a.tally = Array.fold_left ( + ) 0 a.counts
+
+let as_pixels (s, y, _) =
+  let picture = Shot.picture s in
+  let r = row s y in
+  Row.take (Pixel.compile s) r (fun _ -> s.settings.spp);
+  let { Row.pixels; sampling; _ } = Row.result r in
+  let at i =
+    Rgb.v
+      (Float.Array.get pixels (3 * i))
+      (Float.Array.get pixels ((3 * i) + 1))
+      (Float.Array.get pixels ((3 * i) + 2))
+  in
+  let all = List.init (Row.width r) Fun.id in
+  Row.width r = s.width
+  && List.for_all (fun i -> Rgb.equal (at i) (Picture.pixel picture i y)) all
+  && sampling
+     = List.fold_left
+         (fun sum i -> Sampling.join sum (Row.sampling r i))
+         Sampling.none all
+
+(* A result stays as it is while further samples are taken. *)
+let kept () =
+  let s =
+    Written.scene [ Written.size 3 1; Written.flat_camera; "(background .5)" ]
+  in
+  let pixel = Pixel.compile s and r = row s 0 in
+  Row.take pixel r (fun _ -> 1);
+  let first = Row.result r in
+  let counts = Array.copy first.counts and pixels = bits first.pixels in
+  Row.take pixel r (fun i -> 5 + i);
+  Alcotest.(check (array int)) "then" counts first.counts;
+  Alcotest.(check bool) "its pixels" true (pixels = bits first.pixels);
+  Alcotest.(check (array int)) "now" [| 5; 6; 7 |] (Row.result r).counts
+
+let suite =
+  ( "rows",
+    [
+      Law.law ~count:100 ~print
+        "samples taken in passes are those taken at once" asked in_passes;
+      Law.law ~count:100 ~print "a row is its pixels" asked as_pixels;
+      Law.example "what was told stays so" kept;
+    ] )
