@@ -62,10 +62,8 @@ type probe = {
 (* A visit under way. The ray enters slabs at the ends that near_x .. near_z
    name within a node's box, and leaves them at the other ends. *)
 type ('a, 'context) walk = {
-  boxes : Box_array.t;
-  links : int array;
-  items : 'a array;
-  index : int array;
+  nodes : Tree.t;
+  hierarchy : 'a t;
   probe : probe;
   near_x : int;
   near_y : int;
@@ -91,7 +89,7 @@ let[@inline] reciprocal d =
 (* Comparisons are written so that a nan (the origin in a face, the ray along
    it) leaves the interval as it was, on every axis. *)
 let[@inline] meets w n =
-  let b = w.boxes and p = w.probe in
+  let b = w.nodes.boxes and p = w.probe in
   let n = 6 * n in
   let near = (Float.Array.unsafe_get b (n + w.near_x) -. p.near_ox) *. p.ix
   and far =
@@ -121,14 +119,14 @@ let descending w axis =
 let rec visit_items w from until =
   from < until
   && (w.test w.context
-        (Array.unsafe_get w.index from)
-        (Array.unsafe_get w.items from)
+        (Array.unsafe_get w.hierarchy.index from)
+        (Array.unsafe_get w.hierarchy.items from)
      || visit_items w (from + 1) until)
 
 let rec visit_node w n =
   meets w n
   &&
-  let link = Array.unsafe_get w.links n in
+  let link = Array.unsafe_get w.nodes.links n in
   if Tree.is_leaf link then
     let first = Tree.first link in
     visit_items w first (first + Tree.count link)
@@ -163,10 +161,8 @@ let visit h probe cursor context test =
   let end_of i = if i >= 0. then 0 else 1 in
   let w =
     {
-      boxes = h.tree.boxes;
-      links = h.tree.links;
-      items = h.items;
-      index = h.index;
+      nodes = h.tree;
+      hierarchy = h;
       probe;
       near_x = end_of probe.ix;
       near_y = 2 + end_of probe.iy;

@@ -116,7 +116,8 @@ let enter { ray; probe; rest; way; query; _ } i group =
     query;
   }
 
-let follow search motion =
+(* No probe is asked for on the way to a single surface. *)
+let follow search motion still =
   let by = Motion.displacement motion search.query.cursor.time in
   if Vec.equal by Vec.zero then search
   else
@@ -125,7 +126,10 @@ let follow search motion =
       | Stable -> Motion.follow by search.ray
       | Textbook -> Textbook.moved by search.ray
     in
-    { search with ray; probe = Bvh.probe ray; way = Moved { by; around = search.way } }
+    let way = Way.Moved { by; around = search.way } in
+    match still with
+    | Group _ | Moving _ -> { search with ray; probe = Bvh.probe ray; way }
+    | Sphere _ | Box _ | Triangle _ | Quadric _ -> { search with ray; way }
 
 let meet_stably { ray; query = { cursor; _ }; _ } left surface =
   match surface with
@@ -165,7 +169,8 @@ let earlier search i =
 let rec test_nearest search i surface =
   match surface with
   | Group g -> visit g (enter search i g) test_nearest
-  | Moving { motion; still } -> test_nearest (follow search motion) i still
+  | Moving { motion; still } ->
+      test_nearest (follow search motion still) i still
   | Sphere _ | Box _ | Triangle _ | Quadric _ ->
       let query = search.query in
       let before = query.cursor.t in
@@ -179,14 +184,16 @@ let rec test_nearest search i surface =
 let rec test_blocked search i surface =
   match surface with
   | Group g -> visit g (enter search i g) test_blocked
-  | Moving { motion; still } -> test_blocked (follow search motion) i still
+  | Moving { motion; still } ->
+      test_blocked (follow search motion still) i still
   | Sphere _ | Box _ | Triangle _ | Quadric _ ->
       not (Contact.is_none (meet search i surface))
 
 let rec test_any kind search i surface =
   match surface with
   | Group g -> visit g (enter search i g) (test_any kind)
-  | Moving { motion; still } -> test_any kind (follow search motion) i still
+  | Moving { motion; still } ->
+      test_any kind (follow search motion still) i still
   | Sphere (_, m) | Box (_, m) | Triangle (_, m) | Quadric (_, m) ->
       kind m && not (Contact.is_none (meet search i surface))
 
