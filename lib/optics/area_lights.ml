@@ -106,26 +106,38 @@ let from_still light { from; time; _ } =
     Point.add from (Vec.neg (Vec.scale time light.emitter.velocity))
   else from
 
-(* The light as it is seen; [None] if it is known to be hidden. *)
-let view light vantage =
-  let view target = Light_target.view target ~from:(from_still light vantage) in
-  Option.map view (seen light vantage)
+let weight light vantage =
+  match seen light vantage with
+  | None -> 0.
+  | Some target ->
+      light.strength
+      *. Light_target.solid_angle target ~from:(from_still light vantage)
 
-let sample_view index view probability p =
-  match Option.bind view (fun v -> Light_target.sample v p) with
+let sample_light t index vantage probability p =
+  let light = t.lights.(index) in
+  match seen light vantage with
   | None -> None
-  | Some { direction; density } ->
-      let density = probability *. density in
-      if density > 0. then Some { index; direction; density } else None
+  | Some target -> (
+      match Light_target.sample target ~from:(from_still light vantage) p with
+      | None -> None
+      | Some { direction; density } ->
+          let density = probability *. density in
+          if density > 0. then Some { index; direction; density } else None)
+
+let light_density t index vantage d =
+  let light = t.lights.(index) in
+  match seen light vantage with
+  | None -> 0.
+  | Some target ->
+      Light_target.density target ~from:(from_still light vantage) d
 
 (* {1 Among the lights of a leaf} *)
 
 let at t i = (Light_tree.order t.tree).(i)
 
-let weight light view =
-  match view with
-  | None -> 0.
-  | Some view -> light.strength *. Light_target.solid_angle view
+let weights t ({ first; count; _ } : Light_tree.leaf) vantage =
+  let weight i = weight t.lights.(at t (first + i)) vantage in
+  Float.Array.init count weight
 
 let sum = Float.Array.fold_left ( +. ) 0.
 
@@ -136,22 +148,19 @@ let rec pick weights i left =
     pick weights (i + 1) (left -. w)
   else i
 
-let sample_among t ({ first; count; probability; rest } : Light_tree.leaf)
-    vantage p =
-  let light i = t.lights.(at t (first + i)) in
-  if count = 1 then
-    sample_view (at t first) (view (light 0) vantage) probability p
+let sample_among t (leaf : Light_tree.leaf) vantage p =
+  if leaf.count = 1 then
+    sample_light t (at t leaf.first) vantage leaf.probability p
   else
-    let views = Array.init count (fun i -> view (light i) vantage) in
-    let weights =
-      Float.Array.init count (fun i -> weight (light i) views.(i))
-    in
+    let weights = weights t leaf vantage in
     let total = sum weights in
     if not (total > 0.) then None
     else
-      let i = pick weights 0 (rest *. total) in
+      let i = pick weights 0 (leaf.rest *. total) in
       let part = Float.Array.get weights i /. total in
-      sample_view (at t (first + i)) views.(i) (probability *. part) p
+      sample_light t
+        (at t (leaf.first + i))
+        vantage (leaf.probability *. part) p
 
 let sample t vantage ~choice p =
   if is_empty t then None
@@ -159,26 +168,17 @@ let sample t vantage ~choice p =
     let leaf = Light_tree.sample t.tree ~from:vantage.from choice in
     sample_among t leaf vantage p
 
-(* That of the light at [place] in the order of the tree, seen by [mine]. *)
-let probability_among t ({ first; count; probability; _ } : Light_tree.leaf)
-    vantage place mine =
-  if count = 1 then probability
+let probability_among t (leaf : Light_tree.leaf) vantage place =
+  if leaf.count = 1 then leaf.probability
   else
-    let weight i =
-      let light = t.lights.(at t (first + i)) in
-      weight light (if first + i = place then mine else view light vantage)
-    in
-    let weights = Float.Array.init count weight in
-    let part = Float.Array.get weights (place - first) /. sum weights in
-    if part > 0. then probability *. part else 0.
+    let weights = weights t leaf vantage in
+    let part = Float.Array.get weights (place - leaf.first) /. sum weights in
+    if part > 0. then leaf.probability *. part else 0.
 
 let density t vantage ~index d =
-  let mine = if known t index then view t.lights.(index) vantage else None in
-  let density =
-    Option.fold mine ~none:0. ~some:(fun v -> Light_target.density v d)
-  in
+  let density = if known t index then light_density t index vantage d else 0. in
   if density > 0. then
     let place = t.place.(index) in
     let leaf = Light_tree.find t.tree ~from:vantage.from place in
-    density *. probability_among t leaf vantage place mine
+    density *. probability_among t leaf vantage place
   else 0.

@@ -312,26 +312,13 @@ let rec pick total u v = function
           let u = Float.min (u /. part) (Float.pred 1.) in
           usable (Spherical_triangle.sample t { u; v }) (1. /. total))
 
-(* What is seen of facets from a point. *)
-type aspect =
-  | Everything
-  | Triangles of { triangles : Spherical_triangle.t list; total : float }
-
-let aspect visible facets from =
+let sample_facets visible facets from (p : Pattern.position) =
   match (seen visible facets from, visible, facets) with
-  | [], Hull, _ :: _ -> Everything
+  | [], Hull, _ :: _ -> anywhere p
   | seen, (Hull | All | Facing), _ ->
       let triangles = List.filter_map (spherical from) seen in
-      Triangles { triangles; total = total triangles }
-
-let sample_aspect aspect (p : Pattern.position) =
-  match aspect with
-  | Everything -> anywhere p
-  | Triangles { triangles; total } -> pick total (p.u *. total) p.v triangles
-
-let aspect_solid_angle = function
-  | Everything -> full
-  | Triangles { total; _ } -> total
+      let total = total triangles in
+      pick total (p.u *. total) p.v triangles
 
 (* Is [d] between the three corners? Of each two, their plane has it on the side
    of the third. The edges keep the digits of a small facet seen from afar. *)
@@ -342,61 +329,44 @@ let holds from (d : Vec.t) f =
   in
   inside f.a f.b && inside f.b f.c && inside f.c f.a
 
-let aspect_density aspect visible facets from (d : Dir.t) =
-  match aspect with
-  | Everything -> 1. /. full
-  | Triangles { total; _ } ->
-      let holds = holds from (d :> Vec.t) in
-      if total > 0. && List.exists holds (seen visible facets from) then
-        1. /. total
+let facets_solid_angle visible facets from =
+  match (seen visible facets from, visible, facets) with
+  | [], Hull, _ :: _ -> full
+  | seen, (Hull | All | Facing), _ ->
+      total (List.filter_map (spherical from) seen)
+
+let facets_density visible facets from (d : Dir.t) =
+  match (seen visible facets from, visible, facets) with
+  | [], Hull, _ :: _ -> 1. /. full
+  | seen, (Hull | All | Facing), _ ->
+      if List.exists (holds from (d :> Vec.t)) seen then
+        let total = total (List.filter_map (spherical from) seen) in
+        if total > 0. then 1. /. total else 0.
       else 0.
 
 (* {1 All} *)
 
-type view =
-  | Of_ball of { ball : ball; from : Point.t }
-  | Of_ellipsoid of { ellipsoid : Ellipsoid_target.t; from : Point.t }
-  | Of_cap of { cap : cap; from : Point.t }
-  | Of_facets of {
-      aspect : aspect;
-      visible : visible;
-      facets : facet list;
-      from : Point.t;
-    }
-
-let view t ~from =
+let sample t ~from p =
   match t with
-  | Ball ball -> Of_ball { ball; from }
-  | Ellipsoid ellipsoid -> Of_ellipsoid { ellipsoid; from }
-  | Cap cap -> Of_cap { cap; from }
-  | Facets { visible; facets } ->
-      let aspect = aspect visible facets from in
-      Of_facets { aspect; visible; facets; from }
+  | Ball ball -> sample_ball ball from p
+  | Ellipsoid e -> Ellipsoid_target.sample e ~from p
+  | Cap cap -> sample_cap cap from p
+  | Facets { visible; facets } -> sample_facets visible facets from p
 
-let sample view p =
-  match view with
-  | Of_ball { ball; from } -> sample_ball ball from p
-  | Of_ellipsoid { ellipsoid; from } ->
-      Ellipsoid_target.sample ellipsoid ~from p
-  | Of_cap { cap; from } -> sample_cap cap from p
-  | Of_facets { aspect; _ } -> sample_aspect aspect p
+let density t ~from d =
+  match t with
+  | Ball ball -> ball_density ball from d
+  | Ellipsoid e -> Ellipsoid_target.density e ~from d
+  | Cap cap -> cap_density cap from d
+  | Facets { visible; facets } -> facets_density visible facets from d
 
-let density view d =
-  match view with
-  | Of_ball { ball; from } -> ball_density ball from d
-  | Of_ellipsoid { ellipsoid; from } ->
-      Ellipsoid_target.density ellipsoid ~from d
-  | Of_cap { cap; from } -> cap_density cap from d
-  | Of_facets { aspect; visible; facets; from } ->
-      aspect_density aspect visible facets from d
-
-let solid_angle = function
-  | Of_ball { ball; from } ->
+let solid_angle t ~from =
+  match t with
+  | Ball ball ->
       2. *. Float.pi *. ball_cone ball (Vec.norm (Point.sub ball.center from))
-  | Of_ellipsoid { ellipsoid; from } ->
-      Ellipsoid_target.solid_angle ellipsoid ~from
-  | Of_cap { cap; from } -> cap_solid_angle cap from
-  | Of_facets { aspect; _ } -> aspect_solid_angle aspect
+  | Ellipsoid e -> Ellipsoid_target.solid_angle e ~from
+  | Cap cap -> cap_solid_angle cap from
+  | Facets { visible; facets } -> facets_solid_angle visible facets from
 
 let facet_area { a; b; c; _ } =
   0.5 *. Vec.norm (Vec.cross (Point.sub b a) (Point.sub c a))

@@ -30,33 +30,27 @@ val cap : axis:Dir.t -> one_minus_cos:float -> t -> t
     only, where directions from its centre are within the angle of this cosine
     from [axis]; [one_minus_cos] in \]0;2\]. Of other targets it is [t]. *)
 
-type view
-(** A target as it is seen from a point. *)
-
-val view : t -> from:Point.t -> view
-(** [view t ~from] holds what the questions below have in common. *)
-
 type sample = Ellipsoid_target.sample = {
   direction : Dir.t;
-  density : float;  (** above 0, finite; [density view direction] *)
+  density : float;  (** above 0, finite; [density t ~from direction] *)
 }
 
-val sample : view -> Pattern.position -> sample option
-(** [sample v p] takes uniform [p] in \[0;1\[² to a direction to the target:
-    uniform over all in which it is seen from its emitting side (for an
+val sample : t -> from:Point.t -> Pattern.position -> sample option
+(** [sample t ~from p] takes uniform [p] in \[0;1\[² to a direction to [t]:
+    uniform over all in which [t] is seen from its emitting side (for an
     ellipsoid nearly so); for a {!cap}, towards points uniform over its area.
     From within a box that only stands for what is in it, all directions are
     taken. [None] where nothing is seen. *)
 
-val density : view -> Dir.t -> float
-(** [density v d] is the density with which [sample v] takes [d]; 0 where it
-    never does. *)
+val density : t -> from:Point.t -> Dir.t -> float
+(** [density t ~from d] is the density with which [sample t ~from] takes [d]; 0
+    where it never does. *)
 
-val solid_angle : view -> float
-(** [solid_angle v] is the solid angle of the directions that [sample v] takes,
-    in \[0;4π\]; for a {!cap} that of the least ball around its middle that
-    holds it, which is no less. It is 0 only where [sample] is [None], up to
-    rounding. *)
+val solid_angle : t -> from:Point.t -> float
+(** [solid_angle t ~from] is the solid angle of the directions that
+    [sample t ~from] takes, in \[0;4π\]; for a {!cap} that of the least ball
+    around its middle that holds it, which is no less. It is 0 only where
+    [sample] is [None], up to rounding. *)
 
 val area : t -> float
 (** [area t] is the area of the target, one side of it; for an ellipsoid up to

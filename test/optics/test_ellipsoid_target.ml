@@ -49,9 +49,8 @@ let spread ?fine name lamp (from : Point.t) cone =
   let direction (s : Light_target.sample) = s.direction in
   Spread.check ?fine name ~axis ~one_minus_cos:cone
     ~sample:(fun u ->
-      Option.map direction
-        (Light_target.sample (Light_target.view lamp.target ~from) u))
-    ~density:(Light_target.density (Light_target.view lamp.target ~from))
+      Option.map direction (Light_target.sample lamp.target ~from u))
+    ~density:(Light_target.density lamp.target ~from)
 
 let spreads () =
   spread "egg" egg (p 1. 2. 6.) 0.1;
@@ -73,8 +72,7 @@ let samples ?(n = fine) lamp from f =
   for i = 0 to (n * n) - 1 do
     let mid k = (float_of_int k +. 0.5) /. float_of_int n in
     f
-      (Light_target.sample
-         (Light_target.view lamp.target ~from)
+      (Light_target.sample lamp.target ~from
          { u = mid (i / n); v = mid (i mod n) })
   done
 
@@ -97,22 +95,19 @@ let all_hit () =
 let inside () =
   let from = p 0.2 0.3 0.1 in
   let none t =
-    Light_target.sample (Light_target.view t ~from) { u = 0.3; v = 0.4 } = None
-    && Light_target.density (Light_target.view t ~from) Dir.x = 0.
-    && Light_target.solid_angle (Light_target.view t ~from) = 0.
+    Light_target.sample t ~from { u = 0.3; v = 0.4 } = None
+    && Light_target.density t ~from Dir.x = 0.
+    && Light_target.solid_angle t ~from = 0.
   in
   Alcotest.(check bool) "nothing inwards" true (none egg.target);
   Near.float "all around" (4. *. pi)
-    (Light_target.solid_angle
-       (Light_target.view (lamp ~both_sides:true 1. 2. 0.5).target ~from))
+    (Light_target.solid_angle (lamp ~both_sides:true 1. 2. 0.5).target ~from)
 
 (* {1 Solid angles} *)
 
 (* Of a disk from above the middle, and of a spheroid from its axis. *)
 let angles () =
-  let angle lamp from =
-    Light_target.solid_angle (Light_target.view lamp.target ~from)
-  in
+  let angle lamp from = Light_target.solid_angle lamp.target ~from in
   let cone tangent = 2. *. pi *. (1. -. (1. /. sqrt (1. +. (tangent ** 2.)))) in
   let near = Near.float ~within:1e-12 in
   near "round" (cone (1. /. sqrt 8.)) (angle (lamp 1. 1. 1.) (p 2. 1. 2.));
@@ -221,12 +216,10 @@ let show (name, _, from, { Pattern.u; v }) =
   Printf.sprintf "%s from %s at %h %h" name (Draw.show_point from) u v
 
 let agree (_, { target; _ }, from, p) =
-  match Light_target.sample (Light_target.view target ~from) p with
-  | None -> Light_target.solid_angle (Light_target.view target ~from) = 0.
+  match Light_target.sample target ~from p with
+  | None -> Light_target.solid_angle target ~from = 0.
   | Some { direction; density } ->
-      let again =
-        Light_target.density (Light_target.view target ~from) direction
-      in
+      let again = Light_target.density target ~from direction in
       Float.abs (again -. density) <= 1e-6 *. density
       || Law.fail "%.17g, not %.17g" again density
 
@@ -246,22 +239,19 @@ let same_when_scaled ((radii : Vec.t), transform, e, from, uv) =
   let r = Vec.ldexp e radii and from' = Point.ldexp e from in
   let other = (lamp ?transform r.x r.y r.z).target in
   same_bits
-    (Light_target.solid_angle (Light_target.view one ~from))
-    (Light_target.solid_angle (Light_target.view other ~from:from'))
+    (Light_target.solid_angle one ~from)
+    (Light_target.solid_angle other ~from:from')
   &&
   match
-    ( Light_target.sample (Light_target.view one ~from) uv,
-      Light_target.sample (Light_target.view other ~from:from') uv )
+    (Light_target.sample one ~from uv, Light_target.sample other ~from:from' uv)
   with
   | None, None -> true
   | Some a, Some b ->
       same_dir a.direction b.direction
       && same_bits a.density b.density
       && same_bits
-           (Light_target.density (Light_target.view one ~from) a.direction)
-           (Light_target.density
-              (Light_target.view other ~from:from')
-              a.direction)
+           (Light_target.density one ~from a.direction)
+           (Light_target.density other ~from:from' a.direction)
   | None, Some _ | Some _, None -> false
 
 let suite =

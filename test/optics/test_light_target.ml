@@ -48,10 +48,8 @@ let spread ?(wide = false) ?fine ?(cone = 0.5) name target (from : Point.t) =
   let direction (s : Light_target.sample) = s.direction in
   Spread.check ?fine name ~axis
     ~one_minus_cos:(if wide then 2. else cone)
-    ~sample:(fun u ->
-      Option.map direction
-        (Light_target.sample (Light_target.view target ~from) u))
-    ~density:(Light_target.density (Light_target.view target ~from))
+    ~sample:(fun u -> Option.map direction (Light_target.sample target ~from u))
+    ~density:(Light_target.density target ~from)
 
 let spreads () =
   let far = p 1. 2. 6. in
@@ -93,7 +91,7 @@ let turned_away () =
   for i = 0 to (n * n) - 1 do
     let mid k = (float_of_int k +. 0.5) /. float_of_int n in
     let u = mid (i / n) and v = mid (i mod n) in
-    match Light_target.sample (Light_target.view small_cap ~from) { u; v } with
+    match Light_target.sample small_cap ~from { u; v } with
     | None -> ()
     | Some _ -> incr taken
   done;
@@ -104,7 +102,7 @@ let turned_away () =
   for i = 0 to (m * m) - 1 do
     let mid k = (float_of_int k +. 0.5) /. float_of_int m in
     let d = Spread.direction frame 2. (mid (i / m)) (mid (i mod m)) in
-    sum := !sum +. Light_target.density (Light_target.view small_cap ~from) d
+    sum := !sum +. Light_target.density small_cap ~from d
   done;
   let all = !sum *. 4. *. pi /. float_of_int (m * m) in
   if not (part > 0.1 && part < 0.9) then Alcotest.failf "%g is seen" part;
@@ -116,7 +114,7 @@ let ball_angle r d = 2. *. pi *. (1. -. sqrt (1. -. (r /. d *. (r /. d))))
 
 let angles () =
   let near = Near.float ~within:1e-13 in
-  let angle t from = Light_target.solid_angle (Light_target.view t ~from) in
+  let angle t from = Light_target.solid_angle t ~from in
   near "sphere" (ball_angle 1. 3.) (angle (target unit_ball) (p 0. 3. 0.));
   near "sphere of radius 2" (ball_angle 2. 5.)
     (angle (target ~transform:turn unit_ball) (p 0.5 5. 1.));
@@ -158,7 +156,7 @@ let hits shape transform_ from expected =
   for i = 0 to (n * n) - 1 do
     let mid k = (float_of_int k +. 0.5) /. float_of_int n in
     let u = mid (i / n) and v = mid (i mod n) in
-    match Light_target.sample (Light_target.view target ~from) { u; v } with
+    match Light_target.sample target ~from { u; v } with
     | None -> ()
     | Some { direction; density } ->
         let ray = Ray.v from (direction :> Vec.t) in
@@ -195,8 +193,7 @@ let in_boxes () =
   hits sheet None (p 0. 0. 1.5) (4. *. Float.asin 0.5);
   Near.float "a clipped plane is a rectangle"
     (4. *. Float.asin 0.5)
-    (Light_target.solid_angle
-       (Light_target.view (target sheet) ~from:(p 0. 0. (-0.5))))
+    (Light_target.solid_angle (target sheet) ~from:(p 0. 0. (-0.5)))
 
 (* {1 Laws} *)
 
@@ -233,21 +230,19 @@ let show (name, _, from, { Pattern.u; v }) =
   Printf.sprintf "%s from %s at %h %h" name (Draw.show_point from) u v
 
 let agree (_, target, from, p) =
-  match Light_target.sample (Light_target.view target ~from) p with
+  match Light_target.sample target ~from p with
   | None -> true
   | Some { direction; density } ->
-      let again =
-        Light_target.density (Light_target.view target ~from) direction
-      in
+      let again = Light_target.density target ~from direction in
       Float.abs (again -. density) <= 1e-9 *. density
       || Law.fail "%.17g, not %.17g" again density
 
 let somewhere (name, target, from, p) =
-  let angle = Light_target.solid_angle (Light_target.view target ~from) in
+  let angle = Light_target.solid_angle target ~from in
   if not (angle >= 0. && angle <= (4. *. pi) +. 1e-9) then
     Law.fail "solid angle %g" angle
   else
-    match Light_target.sample (Light_target.view target ~from) p with
+    match Light_target.sample target ~from p with
     | None -> angle = 0. || name = "cap"
     | Some { density; _ } ->
         angle > 0.
@@ -292,22 +287,20 @@ let same_when_scaled (shape, both_sides, e, from, uv) =
   let alike one other =
     let from' = Point.ldexp e from in
     same_bits
-      (Light_target.solid_angle (Light_target.view one ~from))
-      (Light_target.solid_angle (Light_target.view other ~from:from'))
+      (Light_target.solid_angle one ~from)
+      (Light_target.solid_angle other ~from:from')
     &&
     match
-      ( Light_target.sample (Light_target.view one ~from) uv,
-        Light_target.sample (Light_target.view other ~from:from') uv )
+      ( Light_target.sample one ~from uv,
+        Light_target.sample other ~from:from' uv )
     with
     | None, None -> true
     | Some a, Some b ->
         same_dir a.direction b.direction
         && same_bits a.density b.density
         && same_bits
-             (Light_target.density (Light_target.view one ~from) a.direction)
-             (Light_target.density
-                (Light_target.view other ~from:from')
-                a.direction)
+             (Light_target.density one ~from a.direction)
+             (Light_target.density other ~from:from' a.direction)
     | None, Some _ | Some _, None -> false
   in
   alike one other && alike (cap one) (cap other)
@@ -328,16 +321,10 @@ let extreme () =
           let t = target (scaled k shape) in
           List.iter
             (fun from ->
-              let angle =
-                Light_target.solid_angle (Light_target.view t ~from)
-              in
+              let angle = Light_target.solid_angle t ~from in
               if not (angle >= 0. && angle < 13.) then
                 Alcotest.failf "solid angle %g" angle;
-              match
-                Light_target.sample
-                  (Light_target.view t ~from)
-                  { u = 0.; v = 0.5 }
-              with
+              match Light_target.sample t ~from { u = 0.; v = 0.5 } with
               | None -> ()
               | Some { direction; density } ->
                   if
@@ -350,8 +337,7 @@ let extreme () =
     sides;
   let plane = quadric (Plane { normal = Vec.v 0. 1. 0.; offset = 0. }) in
   let t = target (Quadric plane) in
-  Near.float "unbounded" 0.
-    (Light_target.solid_angle (Light_target.view t ~from:(p 0. 1. 0.)))
+  Near.float "unbounded" 0. (Light_target.solid_angle t ~from:(p 0. 1. 0.))
 
 let suite =
   ( "light target",
