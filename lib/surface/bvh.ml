@@ -158,15 +158,14 @@ let probe (ray : Object_ray.t) =
   }
 
 let visit h probe cursor context test =
-  let end_of i = if i >= 0. then 0 else 1 in
   let w =
     {
       nodes = h.tree;
       hierarchy = h;
       probe;
-      near_x = end_of probe.ix;
-      near_y = 2 + end_of probe.iy;
-      near_z = 4 + end_of probe.iz;
+      near_x = (if probe.ix >= 0. then 0 else 1);
+      near_y = (if probe.iy >= 0. then 2 else 3);
+      near_z = (if probe.iz >= 0. then 4 else 5);
       cursor;
       context;
       test;
