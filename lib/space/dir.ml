@@ -6,9 +6,7 @@ let of_vec (a : Vec.t) =
   else
     (* A power of two brings the vector near 1 without changing its bits. *)
     let a =
-      if m > 0x1p-400 && m < 0x1p400 then a
-      else
-        Vec.ldexp (-Vec.exponent a) a
+      if m > 0x1p-400 && m < 0x1p400 then a else Vec.ldexp (-Vec.exponent a) a
     in
     let n = sqrt (Vec.dot a a) in
     Some (Vec.v (a.x /. n) (a.y /. n) (a.z /. n))

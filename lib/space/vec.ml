@@ -10,7 +10,6 @@ let[@inline] scale k a = v (k *. a.x) (k *. a.y) (k *. a.z)
 let[@inline] along a d t =
   v (Float.fma t d.x a.x) (Float.fma t d.y a.y) (Float.fma t d.z a.z)
 
-
 (* Where the power is a normal number, the product is rounded as it should. *)
 let ldexp e a =
   if -1022 <= e && e <= 1023 then scale (Float.ldexp 1. e) a
@@ -47,8 +46,11 @@ let norm a =
   if m = 0. || not (Float.is_finite m) then m
   else if safe m then sqrt (dot a a)
   else
-    let e = exponent a in
-    let a = ldexp (-e) a in
+    (* Small enough to be inlined: its result is not boxed then. *)
+    let _, e = Float.frexp m in
+    let a =
+      v (Float.ldexp a.x (-e)) (Float.ldexp a.y (-e)) (Float.ldexp a.z (-e))
+    in
     Float.ldexp (sqrt (dot a a)) e
 
 let is_finite a =
