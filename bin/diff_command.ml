@@ -4,12 +4,7 @@ open Candor_image
 let ( let* ) = Result.bind
 
 let read name =
-  let file =
-    match In_channel.with_open_bin name In_channel.input_all with
-    | text -> Ok text
-    | exception Sys_error why -> Error why
-  in
-  let* text = file in
+  let* text = Files.read name in
   Result.map_error (fun why -> name ^ ": " ^ why) (Picture_file.decode text)
 
 type options = {

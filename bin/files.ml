@@ -26,3 +26,9 @@ let writing_some name f =
   | None -> f (fun _ -> Ok ())
   | Some name ->
       writing name (fun file -> f (fun text -> wrong (Output.commit file text)))
+
+(* Only errors of opening name the file. *)
+let read name =
+  try Ok (In_channel.with_open_bin name In_channel.input_all) with
+  | Sys_error why when String.starts_with ~prefix:name why -> Error why
+  | Sys_error why -> Error (name ^ ": " ^ why)

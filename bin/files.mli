@@ -20,3 +20,6 @@ val writing_some :
 
 val wrong : ('a, string) result -> ('a, Status.t) result
 (** [wrong r] is [r], its error being what is wrong with an output. *)
+
+val read : string -> (string, string) result
+(** [read name] is what is in the file [name]; the error names it, too. *)

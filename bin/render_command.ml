@@ -48,11 +48,7 @@ let window o (s : Scene.t) =
 (* {1 Numbers of samples} *)
 
 let read_map file =
-  let contents =
-    try Ok (In_channel.with_open_bin file In_channel.input_all)
-    with Sys_error why -> Error why
-  in
-  Result.bind contents (fun text ->
+  Result.bind (Files.read file) (fun text ->
       Result.map_error
         (fun why -> file ^ ": " ^ why)
         (Sample_map.of_string text))

@@ -4,6 +4,7 @@ let () =
     [
       Test_usage.suite;
       Test_render.suite;
+      Test_targets.suite;
       Test_trouble.suite;
       Test_interrupt.suite;
       Test_check.suite;

@@ -24,6 +24,11 @@ let helps () =
           "--crop";
           "--filter";
           "--all-effects";
+          "--error";
+          "--confidence";
+          "--time";
+          "--map";
+          "--save-map";
           "--naive-math";
           "--stats";
           "--quiet";
@@ -88,6 +93,9 @@ let wrong_values () =
   render "--cutoff" [ "-1"; "nan"; "inf"; "x" ];
   render "--seed" [ "x"; "1.5" ];
   render "--filter" [ "x"; "boxes" ];
+  render "--error" [ "0"; "-1"; "nan"; "inf"; "x"; "" ];
+  render "--confidence" [ "0"; "1"; "2"; "-.5"; "nan"; "95%"; "" ];
+  render "--time" [ "0"; "0s"; "-1s"; "nan"; "1e400s"; "s"; "x"; "1d"; "" ];
   render "--crop"
     [
       "";
@@ -123,19 +131,12 @@ let not_yet () =
     (fun (option, value) ->
       refused [ "render"; "s.scene"; option; value ];
       refused [ "render"; option ^ "=" ^ value; "s.scene"; "-o"; "x.ppm" ])
-    [
-      ("--error", "1");
-      ("--confidence", ".9");
-      ("--time", "30s");
-      ("--map", "m");
-      ("--save-map", "m");
-      ("--part", "1/2");
-    ];
+    [ ("--part", "1/2") ];
   List.iter
     (fun option -> refused [ "render"; "s.scene"; option ])
     [ "--resume" ];
   refused [ "merge"; "a"; "b"; "-o"; "c.ppm" ];
-  mentions (run [ "render"; "s.scene"; "--error"; "1" ]).err "--error";
+  mentions (run [ "render"; "s.scene"; "--part"; "1/2" ]).err "--part";
   check_entries "nothing is written" [ "s.scene" ]
 
 let unstyled () =
