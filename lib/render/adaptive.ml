@@ -133,7 +133,7 @@ let spread s =
   | (Some _ | None), (Some _ | None) -> 2.
 
 let forecast job s ~total =
-  let spread = spread s in
+  let spread = spread s and total = Float.max s.taken total in
   let f =
     {
       taken = s.taken;
