@@ -85,12 +85,14 @@ let samples a ~scale ~most x y =
   let n = real a ~scale ~most deviation in
   let chance = Key.float (Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film) in
   let rec between low =
-    let high = 2 * low in
-    if float_of_int high <= n then between high
-    else if chance *. float_of_int low < n -. float_of_int low then high
+    let high = Int.min most (2 * low) in
+    if high <= low then low
+    else if float_of_int high <= n then between high
+    else if chance *. float_of_int (high - low) < n -. float_of_int low then
+      high
     else low
   in
-  Int.min (Int.max a.base most) (between a.base)
+  between a.base
 
 let total a ~scale ~most =
   let base = float_of_int a.base in

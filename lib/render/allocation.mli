@@ -19,8 +19,9 @@ val make : width:int -> height:int -> base:int -> (int -> int -> float) -> t
 
 val samples : t -> scale:float -> most:int -> int -> int -> int
 (** [samples a ~scale ~most x y] is what pixel (x, y) should have: [base] at
-    least, [most] at most, more for a greater [scale]. Fractions are rounded up
-    or down at random, by the pixel's place. *)
+    least, [most] at most, more for a greater [scale]. It is [base] times a
+    power of two, or [most]: of the two nearest one at random, by the pixel's
+    place. *)
 
 val total : t -> scale:float -> most:int -> float
 (** [total a ~scale ~most] is how many samples that makes for all pixels, about.
