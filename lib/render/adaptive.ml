@@ -132,14 +132,30 @@ let spread s =
   | Some rms, Some { high; _ } when rms > 0. -> (high /. rms) ** (2. /. s.law)
   | (Some _ | None), (Some _ | None) -> 2.
 
+(* The law that is likely, and how steep or flat it may be: not much is known of
+   it before it was measured. *)
+let laws s =
+  if s.base > Sampler.streams then
+    (s.law, s.law +. 0.25, Float.max 1. (s.law -. 0.25))
+  else (1.25, 2., 1.)
+
+(* [total] was reckoned with the law of [s]. *)
+let total_by job s ~total law =
+  match job.target.error with
+  | Some _ when total > s.taken && s.taken > 0. ->
+      s.taken *. ((total /. s.taken) ** (s.law /. law))
+  | Some _ | None -> total
+
 let forecast job s ~total =
-  let spread = spread s and total = Float.max s.taken total in
+  let total = Float.max s.taken total in
+  let spread = spread s and by = total_by job s ~total in
+  let likely, steep, flat = laws s in
   let f =
     {
       taken = s.taken;
-      total;
-      low = Float.max s.taken (total /. spread);
-      high = total *. spread;
+      total = by likely;
+      low = Float.max s.taken (by steep /. spread);
+      high = by flat *. spread;
     }
   in
   job.expect f;
