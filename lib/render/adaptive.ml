@@ -132,32 +132,27 @@ let spread s =
   | Some rms, Some { high; _ } when rms > 0. -> (high /. rms) ** (2. /. s.law)
   | (Some _ | None), (Some _ | None) -> 2.
 
-(* The law that is likely, and how steep or flat it may be: not much is known of
-   it before it was measured. *)
-let laws s =
-  if s.base > Sampler.streams then
-    (s.law, s.law +. 0.25, Float.max 1. (s.law -. 0.25))
-  else (1.25, 2., 1.)
-
 (* [total] was reckoned with the law of [s]. *)
-let total_by job s ~total law =
-  match job.target.error with
-  | Some _ when total > s.taken && s.taken > 0. ->
-      s.taken *. ((total /. s.taken) ** (s.law /. law))
-  | Some _ | None -> total
+let total_by s ~total law =
+  if total > s.taken && s.taken > 0. then
+    s.taken *. ((total /. s.taken) ** (s.law /. law))
+  else total
 
+(* Before the law was measured it may be almost any, and the least samples often
+   miss what makes the error: so it is more likely larger than they say than
+   smaller. *)
 let forecast job s ~total =
   let total = Float.max s.taken total in
-  let spread = spread s and by = total_by job s ~total in
-  let likely, steep, flat = laws s in
-  let f =
-    {
-      taken = s.taken;
-      total = by likely;
-      low = Float.max s.taken (by steep /. spread);
-      high = by flat *. spread;
-    }
+  let spread = spread s and by = total_by s ~total in
+  let total, low, high =
+    if Option.is_none job.target.error then
+      (total, total /. spread, total *. spread)
+    else if s.base > Sampler.streams then
+      let flat = Float.max 1. (s.law -. 0.25) in
+      (by s.law, by (s.law +. 0.25) /. spread, by flat *. spread)
+    else (by 1.25, by 2. /. spread, by 1. *. (spread ** 3.))
   in
+  let f = { taken = s.taken; total; low = Float.max s.taken low; high } in
   job.expect f;
   { s with forecasts = f :: s.forecasts }
 

@@ -41,11 +41,12 @@ let all () =
         "gloss";
         "hero";
         "jade";
-        "knot";
+        "keyhole";
         "lamps";
         "mirror";
         "mist";
         "overcast";
+        "penumbra";
         "prism";
         "quadrics";
         "shutter";
