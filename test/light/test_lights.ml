@@ -123,12 +123,12 @@ let boxes () =
 (* The end of a cylinder over its axis is a disk: π r²/(h² + r²). *)
 let disks () =
   let disk h r = Float.pi *. r *. r /. ((h *. h) +. (r *. r)) in
-  three ~n:24 "the end of a cylinder" (disk 2. 1.)
+  three ~n:40 "the end of a cylinder" (disk 2. 1.)
     [
       "(quadric (cylinder (from 0 2 0) (to 0 3 0) (radius 1)) (caps) " ^ emitter
       ^ ")";
     ];
-  three ~n:24 "the base of a cone" (disk 1.5 0.5)
+  three ~n:32 "the base of a cone" (disk 1.5 0.5)
     [
       "(quadric (cone (apex 0 4 0) (base 0 1.5 0) (radius .5)) (caps) "
       ^ emitter ^ ")";

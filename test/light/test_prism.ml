@@ -94,7 +94,7 @@ let furnace () =
     Measure.v
       ([
          Measure.look ~from:"1 2 4" ".5 .3 .8";
-         Measure.settings 32;
+         Measure.settings 40;
          Measure.indirect;
          "(background 1)";
        ]
