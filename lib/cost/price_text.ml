@@ -185,7 +185,8 @@ let prediction { Price.error; seconds; low; high; spp } =
       Printf.sprintf " (95 %%: %s to %s)" (time low) (time high)
     else ""
   in
-  Printf.sprintf "error %g takes %s%s, %d spp\n" error (time seconds) range spp
+  Printf.sprintf "error %g takes %s%s, %d spp everywhere\n" error (time seconds)
+    range spp
 
 let table scene (p : Price.t) =
   let knee = Option.map (fun (row : Price.row) -> row.spp) p.knee in

@@ -79,11 +79,7 @@ let mapped (job : job) map =
 
 let adaptive job target =
   let rows = Array.init (Window.height job.window) (row job) in
-  let width = Window.width job.window in
   let taken = Atomic.make 0 and expected = Atomic.make None in
-  let sum row =
-    List.fold_left (fun n i -> n + Row.samples row i) 0 (List.init width Fun.id)
-  in
   let note more =
     let taken = Atomic.fetch_and_add taken more + more in
     match Atomic.get expected with
@@ -94,10 +90,10 @@ let adaptive job target =
   let pass wanted =
     parallel job (fun i ->
         let row = rows.(i) in
-        let before = sum row in
+        let before = Row.total row in
         Row.take job.pixel row (fun x -> wanted x i);
         let result = Row.result row in
-        note (sum row - before);
+        note (Row.total row - before);
         result)
   in
   Adaptive.run rows target ~pass ~expect:(fun f -> Atomic.set expected (Some f))

@@ -72,7 +72,7 @@ let table () =
  naive math                            -0.300       +0       +0.400      +247  17 wrong pixels
 paid for nothing: point light [a,b.scene:7:3]
 error = 2.00 / seconds^0.50 (within a factor of 1.11)
-error 1 takes 4.0 s (95 %: 3.0 s to 5.0 s), 13 spp
+error 1 takes 4.0 s (95 %: 3.0 s to 5.0 s), 13 spp everywhere
 |}
     (Price_text.table scene list)
 

@@ -38,7 +38,7 @@ let in_passes (s, y, passes) =
   List.iter (fun p -> Row.take pixel some (fun i -> p.(i))) passes;
   let held =
     List.for_all
-      (fun i -> Row.samples some i = greatest passes i)
+      (fun i -> (Row.result some).counts.(i) = greatest passes i)
       (List.init s.width Fun.id)
   in
   Row.take pixel some want;
