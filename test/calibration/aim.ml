@@ -23,20 +23,18 @@ type t = {
 (* Where the line through the points (n, e) before and after first comes down to
    the target, on logarithmic scales. *)
 let crossing ~target (n, e) (n', e') =
-  if e > e' && e > target then
-    let share = Float.log (e /. target) /. Float.log (e /. e') in
-    n *. ((n' /. n) ** share)
-  else n'
+  let share = Float.log (e /. target) /. Float.log (e /. e') in
+  n *. ((n' /. n) ** share)
 
 (* How many samples a render that knows its true error spends, from the samples
    and true errors after each pass. Past the last, errors fall as 1/√n. *)
 let rec needed ~target = function
+  | (n, e) :: _ when e <= target -> n
+  | [ (n, e) ] -> n *. ((e /. target) ** 2.)
   | before :: ((_, e) as after) :: _ when e <= target ->
       crossing ~target before after
-  | [ (n, e) ] -> if e <= target then n else n *. ((e /. target) ** 2.)
-  | (n, e) :: _ when e <= target -> n
   | _ :: rest -> needed ~target rest
-  | [] -> 0.
+  | [] -> nan
 
 (* None of these seeds is judged with a fixed number of samples. *)
 let first_seed = 1000
