@@ -95,7 +95,10 @@ let lay job s base =
 let allocation job s =
   let squares x y =
     if s.base < Sampler.streams then 1.
-    else Sampling.squares (Row.sampling job.rows.(y) x)
+    else
+      let row = job.rows.(y) in
+      let more = float_of_int (Row.samples row x) /. float_of_int s.base in
+      Sampling.squares (Row.sampling row x) *. (more ** s.law)
   in
   Allocation.make ~width:(width job) ~height:(height job) ~base:s.base squares
 
@@ -186,6 +189,29 @@ let step_towards job s allocation ~total ~scale =
     Allocation.for_total allocation ~most:job.target.most
       (s.taken +. (step *. missing))
 
+(* The base is this share of all samples, or down to half of it. *)
+let base_share = 0.5
+
+let next_base job s ~wanted =
+  let goal =
+    Float.min
+      (base_share *. wanted /. pixels job)
+      (float_of_int job.target.most)
+  in
+  let rec double n =
+    if float_of_int (2 * n) <= goal then double (2 * n) else n
+  in
+  Int.min (8 * s.base) (double s.base)
+
+(* If more than so many times the samples are still missing, the allocation does
+   not know where the error is: a pixel unlike all its neighbours, who ask for
+   nothing, has what every pixel has. *)
+let missed = 2.
+
+let raise_base job s =
+  let base = Int.min (2 * s.base) (Int.max s.base job.target.most) in
+  Option.map (fun s -> { s with base }) (pass job s (fun _ _ -> base))
+
 let rec spend job s allocation ~scale ~total =
   if is_met job s then finish s Met
   else if total < infinity && left job <= enough_time *. total then
@@ -205,26 +231,16 @@ let rec spend job s allocation ~scale ~total =
     let scale = Float.min scale in_time in
     let before = s.taken in
     let* s = pass job s (Allocation.samples allocation ~scale ~most) in
-    if s.taken > before then
-      spend job s allocation ~scale:(scale *. growth job s) ~total
+    let growth = growth job s in
+    if s.taken > before && growth > missed && scale < in_time then
+      let* s = raise_base job s in
+      lay_base job s ~total
+    else if s.taken > before then
+      spend job s allocation ~scale:(scale *. growth) ~total
     else if left job < infinity then finish s Out_of_time
     else finish s Out_of_samples
 
-(* The base is this share of all samples, or down to half of it. *)
-let base_share = 0.5
-
-let next_base job s ~wanted =
-  let goal =
-    Float.min
-      (base_share *. wanted /. pixels job)
-      (float_of_int job.target.most)
-  in
-  let rec double n =
-    if float_of_int (2 * n) <= goal then double (2 * n) else n
-  in
-  Int.min (8 * s.base) (double s.base)
-
-let rec lay_base job s ~total =
+and lay_base job s ~total =
   if is_met job s then finish s Met
   else
     let allocation = allocation job s in
