@@ -72,8 +72,8 @@ let svg cs =
     @ [
         curve (((0., 0.) :: found) @ [ (1., 1.) ]);
         text middle (side -. 8.) "promised" ~more:{|text-anchor="middle"|};
-        text 12. middle "found"
+        text 16. middle "found"
           ~more:
-            (line {|text-anchor="middle" transform="rotate(-90 12 %g)"|} middle);
+            (line {|text-anchor="middle" transform="rotate(-90 16 %g)"|} middle);
         "</svg>\n";
       ])
