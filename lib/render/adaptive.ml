@@ -31,6 +31,7 @@ type state = {
   law : float; (* the mean square error goes as n^-law *)
   taken : float; (* samples *)
   rate : float; (* seconds for each of the last *)
+  evenly : bool; (* whether all pixels had as many of the last *)
   forecasts : forecast list; (* last first *)
 }
 
@@ -85,7 +86,7 @@ let law_between before after =
 
 let lay job s base =
   let after next =
-    let next = { next with base } in
+    let next = { next with base; evenly = true } in
     { next with law = law_between s next }
   in
   Option.map after (pass job s (fun _ _ -> base))
@@ -115,15 +116,12 @@ let scale_for_error job s allocation =
       Allocation.for_error allocation ~law:s.law ~most:job.target.most
         (share_wanted job s error)
 
-(* Not all the time that is left at once: how long samples take is known better
-   when most of them are taken. *)
-let time_share = 0.9
-
-let scale_for_time job s allocation =
+(* The scale that takes a share of the time that is left. *)
+let scale_for_time job s allocation ~share =
   let left = left job in
   if left = infinity then infinity
   else
-    let more = if left > 0. then time_share *. left /. s.rate else 0. in
+    let more = if left > 0. then share *. left /. s.rate else 0. in
     Allocation.for_total allocation ~most:job.target.most (s.taken +. more)
 
 (* {1 Forecasts} *)
@@ -201,7 +199,11 @@ let next_base job s ~wanted =
   let rec double n =
     if float_of_int (2 * n) <= goal then double (2 * n) else n
   in
-  Int.min (8 * s.base) (double s.base)
+  Int.min (4 * s.base) (double s.base)
+
+(* Not all the time that is left at once. Samples that go where they are needed
+   may take much longer than others: how long is known when some are taken. *)
+let time_share s = if s.evenly then 0.25 else 0.8
 
 (* If more than so many times the samples are still missing, the allocation does
    not know where the error is: a pixel unlike all its neighbours, who ask for
@@ -210,7 +212,9 @@ let missed = 2.
 
 let raise_base job s =
   let base = Int.min (2 * s.base) (Int.max s.base job.target.most) in
-  Option.map (fun s -> { s with base }) (pass job s (fun _ _ -> base))
+  Option.map
+    (fun s -> { s with base; evenly = true })
+    (pass job s (fun _ _ -> base))
 
 let rec spend job s allocation ~scale ~total =
   if is_met job s then finish s Met
@@ -218,7 +222,7 @@ let rec spend job s allocation ~scale ~total =
     finish s Out_of_time
   else
     let most = job.target.most in
-    let in_time = scale_for_time job s allocation in
+    let in_time = scale_for_time job s allocation ~share:(time_share s) in
     let expected =
       Allocation.total allocation ~scale:(Float.min scale in_time) ~most
     in
@@ -231,6 +235,7 @@ let rec spend job s allocation ~scale ~total =
     let scale = Float.min scale in_time in
     let before = s.taken in
     let* s = pass job s (Allocation.samples allocation ~scale ~most) in
+    let s = { s with evenly = false } in
     let growth = growth job s in
     if s.taken > before && growth > missed && scale < in_time then
       let* s = raise_base job s in
@@ -247,7 +252,7 @@ and lay_base job s ~total =
     let scale =
       Float.min
         (scale_for_error job s allocation)
-        (scale_for_time job s allocation)
+        (scale_for_time job s allocation ~share:1.)
     in
     let wanted = Allocation.total allocation ~scale ~most:job.target.most in
     let base = next_base job s ~wanted in
@@ -264,6 +269,7 @@ let start =
     law = 1.;
     taken = 0.;
     rate = 0.;
+    evenly = true;
     forecasts = [];
   }
 

@@ -29,6 +29,7 @@ let make ~x0 ~x1 y =
   }
 
 let width row = Array.length row.counts
+let samples row i = row.counts.(i)
 let total row = Array.fold_left ( + ) 0 row.counts
 
 let update row =

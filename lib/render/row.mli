@@ -15,6 +15,9 @@ val take : Pixel.t -> t -> (int -> int) -> unit
 (** [take p row f] gives the [i]-th pixel its first [f i] samples, if it has
     less. *)
 
+val samples : t -> int -> int
+(** [samples row i] is how many samples the [i]-th pixel has. *)
+
 val total : t -> int
 (** [total row] is how many samples its pixels have. *)
 
