@@ -62,7 +62,11 @@ let mapped file (s : Scene.t) window =
             file (Sample_map.width map) (Sample_map.height map) s.width s.height))
   else if not (Sample_map.contains map window) then
     Error (Status.Wrong (file ^ " does not hold all of the crop"))
-  else Ok (Render.Map map)
+  else
+    (* Nothing of the scene's own says how many samples there are. *)
+    let spp = Sample_map.spp map in
+    let settings = { s.settings with spp; error = None; time = None } in
+    Ok ({ s with settings }, Render.Map map)
 
 (* Seconds that writing the picture will take: a strip of noise tells. *)
 let writing_time format ~binary window =
@@ -83,6 +87,7 @@ let writing_time format ~binary window =
 (* Since the program began. *)
 let elapsed () = Mtime.Span.to_float_ns (Mtime_clock.elapsed ()) /. 1e9
 
+(* The scene as it is sampled, and how. *)
 let samples o format (s : Scene.t) window =
   let { Scene.spp; error; time; _ } = s.settings in
   match (o.map, error, time) with
@@ -91,7 +96,7 @@ let samples o format (s : Scene.t) window =
         "--map says how many samples there are: --spp, --error and --time \
          cannot"
   | Some file, _, _ -> mapped file s window
-  | None, None, None -> Ok (Render.Uniform spp)
+  | None, None, None -> Ok (s, Render.Uniform spp)
   | None, error, time ->
       let left =
         Option.map
@@ -100,7 +105,8 @@ let samples o format (s : Scene.t) window =
             fun () -> time -. elapsed () -. writing)
           time
       in
-      Ok (Adaptive { error; confidence = o.confidence; left; most = spp })
+      let confidence = o.confidence and most = spp in
+      Ok (s, Adaptive { error; confidence; left; most })
 
 let trace o ~stop ~samples scene window =
   let plan = Settings.plan ~all_effects:o.all_effects scene in
@@ -126,7 +132,7 @@ let run o =
   let* scene = Settings.read o.scene in
   let scene = Settings.apply o.settings scene in
   let* window = window o scene in
-  let* samples = samples o format scene window in
+  let* scene, samples = samples o format scene window in
   (* From here on there are files that an interrupt must not leave behind. *)
   let stop = Files.stop_on_signals () in
   Files.writing name @@ fun file ->

@@ -111,7 +111,8 @@ let report (job : job) (scene : Scene.t) ~seconds ~aim results =
     cut_off = lazy (Cut_off.of_picture (Brightest.of_scene scene) ~cut picture);
     window = job.window;
     map =
-      Sample_map.v ~width:scene.width ~height:scene.height job.window
+      Sample_map.v ~width:scene.width ~height:scene.height
+        ~spp:scene.settings.spp job.window
         (rows (fun (r : Row.result) -> r.counts));
     sampling =
       List.fold_left

@@ -1,14 +1,16 @@
 type t = {
   width : int;
   height : int;
+  spp : int;
   window : Window.t;
   counts : int array array;
 }
 
-let v ~width ~height window counts = { width; height; window; counts }
+let v ~width ~height ~spp window counts = { width; height; spp; window; counts }
 let window m = m.window
 let width m = m.width
 let height m = m.height
+let spp m = m.spp
 let samples m x y = m.counts.(y - m.window.y0).(x - m.window.x0)
 
 let fold f m start =
@@ -40,7 +42,8 @@ let to_string m =
   let { Window.x0; y0; x1; y1 } = m.window in
   let row r = String.concat " " (List.map run_to_string (runs r)) in
   String.concat "\n"
-    (Printf.sprintf "candor-map 1 width %d height %d" m.width m.height
+    (Printf.sprintf "candor-map 1 width %d height %d spp %d" m.width m.height
+       m.spp
     :: Printf.sprintf "window %d %d %d %d" x0 y0 x1 y1
     :: Array.to_list (Array.map row m.counts))
   ^ "\n"
@@ -89,11 +92,12 @@ let most_pixels = 65536
 
 let header line =
   match words line with
-  | [ "candor-map"; "1"; "width"; w; "height"; h ] -> (
-      match (int_of_string_opt w, int_of_string_opt h) with
-      | Some w, Some h
-        when 1 <= w && w <= most_pixels && 1 <= h && h <= most_pixels ->
-          Ok (w, h)
+  | [ "candor-map"; "1"; "width"; w; "height"; h; "spp"; spp ] -> (
+      match List.map int_of_string_opt [ w; h; spp ] with
+      | [ Some w; Some h; Some spp ]
+        when 1 <= w && w <= most_pixels && 1 <= h && h <= most_pixels
+             && 1 <= spp && spp <= most_samples ->
+          Ok (w, h, spp)
       | _ -> wrong 1 "the size is not that of a picture")
   | "candor-map" :: version :: _ when version <> "1" ->
       wrong 1 ("version " ^ version ^ " of sample maps is not known")
@@ -117,7 +121,7 @@ let rec all = function
 
 let of_lines = function
   | first :: second :: rows ->
-      let* width, height = header first in
+      let* width, height, spp = header first in
       let* window = window_of_string (width, height) second in
       let found = List.length rows and expected = Window.height window in
       if found <> expected then
@@ -128,7 +132,7 @@ let of_lines = function
       else
         let row i = row_of_string (i + 3) (Window.width window) in
         let* rows = all (List.mapi row rows) in
-        Ok (v ~width ~height window (Array.of_list rows))
+        Ok (v ~width ~height ~spp window (Array.of_list rows))
   | ([] | [ _ ]) as lines ->
       let* _ = header (String.concat "" lines) in
       wrong 2 "expected 'window X0 Y0 X1 Y1'"

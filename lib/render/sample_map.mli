@@ -3,13 +3,18 @@
 
 type t
 
-val v : width:int -> height:int -> Window.t -> int array array -> t
-(** [v ~width ~height window counts] is of a picture of that size, whose rows in
-    [window] have [counts], each at least 1. *)
+val v : width:int -> height:int -> spp:int -> Window.t -> int array array -> t
+(** [v ~width ~height ~spp window counts] is of a picture of that size, whose
+    scene asks for [spp] samples per pixel at most, and whose rows in [window]
+    have [counts], each at least 1. *)
 
 val window : t -> Window.t
 val width : t -> int
 val height : t -> int
+
+val spp : t -> int
+(** [spp m] is what the scene asked for: places in pixels depend on whether that
+    is 1. *)
 
 val samples : t -> int -> int -> int
 (** [samples m x y] is the number of samples of the pixel (x, y) of the full
@@ -27,7 +32,7 @@ val contains : t -> Window.t -> bool
 (** {1 As text} *)
 
 val to_string : t -> string
-(** [to_string m] is two lines, [candor-map 1 width W height H] and
+(** [to_string m] is two lines, [candor-map 1 width W height H spp N] and
     [window X0 Y0 X1 Y1], then a line for each row: the numbers of samples, each
     written once for a run of equal pixels, as [NxK] for K of them. *)
 

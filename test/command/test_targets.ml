@@ -127,7 +127,7 @@ let uniform () =
     (ledger 0 [ "-o"; "a.pfm"; "--crop=2,3,20,9"; "--save-map=m" ] : string);
   Alcotest.(check (list string))
     "four everywhere"
-    ([ "candor-map 1 width 24 height 18"; "window 2 3 20 9" ]
+    ([ "candor-map 1 width 24 height 18 spp 4"; "window 2 3 20 9" ]
     @ List.init 6 (fun _ -> "4x18")
     @ [ "" ])
     (String.split_on_char '\n' (read "m"));
@@ -148,16 +148,17 @@ let refused code parts args =
   Alcotest.(check bool) "no picture" false (Sys.file_exists "a.ppm")
 
 let wrong_maps () =
-  write "m" "candor-map 1 width 25 height 18\nwindow 0 0 1 1\n4\n";
+  write "m" "candor-map 1 width 25 height 18 spp 64\nwindow 0 0 1 1\n4\n";
   refused 1 [ "m"; "25x18"; "24x18" ] [ "--map=m" ];
   refused 1 [ "none"; "such file" ] [ "--map=none" ];
   Sys.mkdir "d" 0o777;
   refused 1 [ "d: " ] [ "--map=d" ];
   write "m" "";
   refused 1 [ "m: line 1: " ] [ "--map=m" ];
-  write "m" "candor-map 1 width 24 height 18\nwindow 0 0 24 2\n4x24\n4x23\n";
+  write "m"
+    "candor-map 1 width 24 height 18 spp 64\nwindow 0 0 24 2\n4x24\n4x23\n";
   refused 1 [ "m: line 4: " ] [ "--map=m" ];
-  write "m" "candor-map 1 width 24 height 18\nwindow 0 0 24 1\n0x24\n";
+  write "m" "candor-map 1 width 24 height 18 spp 64\nwindow 0 0 24 1\n0x24\n";
   refused 1 [ "m: line 3: " ] [ "--map=m" ];
   refused 1 [ "no/m: cannot write" ] [ "--save-map=no/m" ]
 
@@ -196,6 +197,16 @@ let map_of_scene () =
   ignore (ledger 0 [ "-o"; "b.pfm"; "--map=m" ] : string);
   check_text "the same bytes" (read "a.pfm") (read "b.pfm")
 
+(* Where one sample is depends on how many the scene asked for. *)
+let map_of_one () =
+  write "s.scene" (soft ~render:"(render (spp 1))" ());
+  List.iter
+    (fun args ->
+      ignore (ledger 0 ([ "-o"; "a.pfm"; "--save-map=m" ] @ args) : string);
+      ignore (ledger 0 [ "-o"; "b.pfm"; "--map=m" ] : string);
+      check_text (String.concat " " args) (read "a.pfm") (read "b.pfm"))
+    [ []; [ "--time=.001s" ]; [ "--error=6" ]; [ "--spp=4" ] ]
+
 let suite =
   ( "targets",
     [
@@ -205,6 +216,7 @@ let suite =
       with_soft "--time is spent, no more; with --error, whichever is first"
         time;
       with_soft "--save-map and then --map give the same bytes" repeated;
+      with_soft "so they do of a scene of one sample a pixel" map_of_one;
       with_soft "maps of crops and of uniform renders repeat them" uniform;
       with_soft "wrong maps end with 1 and one message, before any ray"
         wrong_maps;

@@ -24,7 +24,7 @@ let drawn =
   let* x0 = int_bound (width - 1) and* y0 = int_bound (height - 1) in
   let* x1 = int_range (x0 + 1) width and* y1 = int_range (y0 + 1) height in
   let+ counts = array_size (pure (y1 - y0)) (row (x1 - x0)) in
-  (Sample_map.v ~width ~height { Window.x0; y0; x1; y1 } counts, counts)
+  (Sample_map.v ~width ~height ~spp:64 { Window.x0; y0; x1; y1 } counts, counts)
 
 let print (m, _) = Sample_map.to_string m
 let law ?count name f = Law.law ?count ~print name drawn f
@@ -77,9 +77,9 @@ let round_trip (m, _) =
 let golden () =
   Alcotest.(check string)
     "runs are written once"
-    "candor-map 1 width 9 height 5\nwindow 2 1 7 3\n4x3 5 4\n16x5\n"
+    "candor-map 1 width 9 height 5 spp 64\nwindow 2 1 7 3\n4x3 5 4\n16x5\n"
     (Sample_map.to_string
-       (Sample_map.v ~width:9 ~height:5
+       (Sample_map.v ~width:9 ~height:5 ~spp:64
           { x0 = 2; y0 = 1; x1 = 7; y1 = 3 }
           [| [| 4; 4; 4; 5; 4 |]; [| 16; 16; 16; 16; 16 |] |]))
 
@@ -147,15 +147,16 @@ let broken () =
     | Ok _ -> Alcotest.failf "%S is taken for a map" text
     | Error why -> Alcotest.(check int) (text ^ why) line (named_line why)
   in
-  let first = "candor-map 1 width 3 height 2" and second = "window 0 0 3 2" in
+  let first = "candor-map 1 width 3 height 2 spp 64"
+  and second = "window 0 0 3 2" in
   let head = check 1 and window w = check 2 [ first; w; "1x3"; "1x3" ] in
   head [ "" ];
   head [ "garbage" ];
   head [ "candor-map" ];
-  head [ "candor-map 2 width 3 height 2"; second; "1x3"; "1x3" ];
-  head [ "candor-map 1 width 0 height 2"; second; "1x3"; "1x3" ];
-  head [ "candor-map 1 width -3 height 2"; second; "1x3"; "1x3" ];
-  head [ "candor-map 1 width 3.5 height 2"; second; "1x3"; "1x3" ];
+  head [ "candor-map 2 width 3 height 2 spp 64"; second; "1x3"; "1x3" ];
+  head [ "candor-map 1 width 0 height 2 spp 64"; second; "1x3"; "1x3" ];
+  head [ "candor-map 1 width -3 height 2 spp 64"; second; "1x3"; "1x3" ];
+  head [ "candor-map 1 width 3.5 height 2 spp 64"; second; "1x3"; "1x3" ];
   head [ "candor-map 1 width 3"; second; "1x3"; "1x3" ];
   check 2 [ first ];
   window "";
@@ -201,14 +202,16 @@ let enormous () =
         (fun (w, h, row) ->
           let text =
             Printf.sprintf
-              "candor-map 1 width %d height %d\nwindow 0 0 %d %d\n%s\n" w h w h
-              row
+              "candor-map 1 width %d height %d spp 64\nwindow 0 0 %d %d\n%s\n" w
+              h w h row
           in
           Alcotest.(check bool) text true (refused text))
         [ (n, 1, Printf.sprintf "1x%d" n); (1, n, "1"); (n, 1, "1") ])
     [ 65537; 1 lsl 40; max_int ];
   let largest =
-    "candor-map 1 width 65536 height 65536\nwindow 0 0 65536 1\n7x65536\n"
+    "candor-map 1 width 65536 height 65536 spp 64\n\
+     window 0 0 65536 1\n\
+     7x65536\n"
   in
   match Sample_map.of_string largest with
   | Ok m -> Alcotest.(check int) "the largest" 7 (Sample_map.samples m 65535 0)
