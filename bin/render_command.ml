@@ -249,9 +249,10 @@ let term =
     match run o with Ok status | Error status -> status
   in
   Term.(
-    const make $ Settings.scene $ output $ Settings.term $ Settings.domains
-    $ crop $ confidence $ sample_map $ save_map $ Settings.all_effects
-    $ Settings.math $ binary $ stats $ quiet $ Refused.options)
+    const make $ Settings.scene $ output $ Settings.with_targets
+    $ Settings.domains $ crop $ confidence $ sample_map $ save_map
+    $ Settings.all_effects $ Settings.math $ binary $ stats $ quiet
+    $ Refused.options)
 
 let man =
   [

@@ -120,10 +120,14 @@ let domains =
      depend on it."
 
 let term =
-  let make size spp depth cutoff seed filter error time =
-    { size; spp; depth; cutoff; seed; filter; error; time }
+  let make size spp depth cutoff seed filter =
+    { size; spp; depth; cutoff; seed; filter; error = None; time = None }
   in
-  Term.(const make $ size $ spp $ depth $ cutoff $ seed $ filter $ error $ time)
+  Term.(const make $ size $ spp $ depth $ cutoff $ seed $ filter)
+
+let with_targets =
+  let add o error time = { o with error; time } in
+  Term.(const add $ term $ error $ time)
 
 let choose_samples o =
   Option.is_some o.spp || Option.is_some o.error || Option.is_some o.time

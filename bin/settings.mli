@@ -8,6 +8,9 @@ val term : t Cmdliner.Term.t
 (** [term] is [--size], [--spp], [--depth], [--cutoff], [--seed] and [--filter].
 *)
 
+val with_targets : t Cmdliner.Term.t
+(** [with_targets] is [--error] and [--time] as well. *)
+
 val choose_samples : t -> bool
 (** [choose_samples o] is [true] iff one of [--spp], [--error] and [--time] is
     given. *)
