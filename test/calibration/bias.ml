@@ -5,6 +5,8 @@ open Candor_render
 
 type t = {
   name : string;
+  width : int;
+  height : int;
   error : float;  (** that renders stop at *)
   samples : float;  (** they take, on average, for each pixel *)
   least : float;
@@ -13,9 +15,6 @@ type t = {
       (** of the values of single pixels, over all: 1 if there is no bias *)
   z : float;  (** of the mean of all values: normal if there is no bias *)
 }
-
-let width = 12
-let height = 9
 
 (* Ten for each seed of the other tables. *)
 let runs = 10 * Case.runs
@@ -59,7 +58,7 @@ let z_of_means a b =
   in
   z (whole a) (whole b)
 
-let v name =
+let v (name, width, height) =
   let scene = Case.sized ~width ~height name in
   let render spp seed = Shot.uniform scene seed spp in
   let error =
@@ -82,6 +81,8 @@ let v name =
   let values = List.init (3 * width * height) Fun.id in
   {
     name;
+    width;
+    height;
     error;
     samples =
       List.fold_left ( +. ) 0. samples /. float_of_int (List.length samples);
@@ -94,4 +95,11 @@ let v name =
     z = z_of_means pictures fine;
   }
 
-let all () = List.map v [ "cornell"; "caustics"; "shadows" ]
+let all () =
+  List.map v
+    [
+      ("cornell", 12, 9);
+      ("shadows", 12, 9);
+      ("caustics", 12, 9);
+      ("caustics", 24, 18);
+    ]

@@ -88,11 +88,12 @@ let forecasts aims =
 (* {1 Bias} *)
 
 let bias_row (b : Bias.t) =
-  line "%-10s %6.2f %7.1f  %5.1f .. %-6.1f %7.3f %7.2f" b.name b.error b.samples
-    b.least b.most b.rms_z b.z
+  line "%-10s %5s %6.2f %7.1f  %5.1f .. %-6.1f %7.3f %7.2f" b.name
+    (Printf.sprintf "%dx%d" b.width b.height)
+    b.error b.samples b.least b.most b.rms_z b.z
 
 let bias bs =
   lines
-    (line "%-10s %6s %7s  %5s .. %-6s %7s %7s" "scene" "target" "spp" "least"
-       "most" "rms z" "z"
+    (line "%-10s %5s %6s %7s  %5s .. %-6s %7s %7s" "scene" "size" "target" "spp"
+       "least" "most" "rms z" "z"
     :: List.map bias_row bs)
