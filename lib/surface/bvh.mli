@@ -30,10 +30,10 @@ val visit :
   ('context -> int -> 'a -> bool) ->
   bool
 (** [visit h (probe ray) cursor context test] calls [test context i item] on
-    every item whose bounds [ray] meets at 0 ≤ t ≤ cursor.t, nearer ones first as far as
-    the tree knows, until one answers [true] or none is left; it is whether one
-    did. [i] is the item's index in what {!make} was given. [test] may move
-    [cursor]; boxes beyond it are passed over.
+    every item whose bounds [ray] meets at 0 ≤ t ≤ cursor.t, nearer ones first
+    as far as the tree knows, until one answers [true] or none is left; it is
+    whether one did. [i] is the item's index in what {!make} was given. [test]
+    may move [cursor]; boxes beyond it are passed over.
 
     Conservative: no item that the ray, as a sum of doubles, meets is left out
     for rounding. *)
