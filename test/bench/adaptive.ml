@@ -8,7 +8,7 @@ open Candor_trace
 
 let turns = 3
 
-(* The last were made for it: what is hard is in a few places. *)
+(* In the last, and in focus, what is hard is in a few places. *)
 let cases =
   List.map
     (fun name -> (name, 64))
