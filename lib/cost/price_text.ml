@@ -52,26 +52,16 @@ type line = {
 
 let mark (row : Price.row) = row.pareto
 
-let per_halving (before : Price.row) (row : Price.row) =
-  let halvings = Float.log2 (before.measure.rms /. row.measure.rms) in
-  let each = (row.measure.seconds -. before.measure.seconds) /. halvings in
-  if halvings > 0. && Float.is_finite each && each > 0. then number each
-  else "-"
-
-let rung ~knee before (row : Price.row) =
+let rung p i ((row : Price.row), price) =
   let { Price.seconds; rays_per_pixel; rms; p99 } = row.measure in
-  let is_knee = Option.equal Int.equal knee (Some row.spp) in
   {
     marked = mark row;
-    name = (setting row.setting ^ if is_knee then "   <- knee" else "");
+    name =
+      (setting row.setting ^ if Ladder.is_knee p row then "   <- knee" else "");
     cells =
       [ number seconds; number rays_per_pixel; number rms; pixels_error p99 ];
-    says = (match before with Some b -> per_halving b row | None -> "");
+    says = (if i = 0 then "" else Option.fold ~none:"-" ~some:number price);
   }
-
-let rec ladder ~knee before = function
-  | [] -> []
-  | row :: rest -> rung ~knee before row :: ladder ~knee (Some row) rest
 
 let was (scene : Scene.t) : Price.setting -> string = function
   | Depth _ ->
@@ -101,8 +91,8 @@ let located (row : Price.row) =
   | Some place -> setting row.setting ^ " [" ^ place ^ "]"
   | None -> setting row.setting
 
-let other scene ladder (row : Price.row) =
-  let base = List.find_opt (fun (b : Price.row) -> b.spp = row.spp) ladder in
+let other scene p (row : Price.row) =
+  let base = Ladder.base p row in
   let beside f =
     match base with Some b -> f row.measure -. f b.measure | None -> nan
   in
@@ -189,9 +179,9 @@ let prediction { Price.error; seconds; low; high; spp } =
     range spp
 
 let table scene (p : Price.t) =
-  let knee = Option.map (fun (row : Price.row) -> row.spp) p.knee in
   let lines =
-    ladder ~knee None p.ladder @ List.map (other scene p.ladder) p.others
+    List.mapi (rung p) (Ladder.per_halving p)
+    @ List.map (other scene p) p.others
   in
   render lines
   ^ String.concat ""
