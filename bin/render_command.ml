@@ -78,14 +78,9 @@ let writing_time format ~binary window =
          (Candor_sample.Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film))
   in
   let picture = Picture.init ~width:(Window.width window) ~height:strip noise in
-  let before = Mtime_clock.elapsed () in
+  let clock = Clock.start () in
   ignore (Picture_file.encode format ~binary picture : string);
-  let spent = Mtime.Span.abs_diff (Mtime_clock.elapsed ()) before in
-  Mtime.Span.to_float_ns spent
-  /. 1e9 *. float_of_int height /. float_of_int strip
-
-(* Since the program began. *)
-let elapsed () = Mtime.Span.to_float_ns (Mtime_clock.elapsed ()) /. 1e9
+  Clock.seconds clock *. float_of_int height /. float_of_int strip
 
 (* The scene as it is sampled, and how. *)
 let samples o format (s : Scene.t) window =
@@ -102,7 +97,7 @@ let samples o format (s : Scene.t) window =
         Option.map
           (fun time ->
             let writing = writing_time format ~binary:o.binary window in
-            fun () -> time -. elapsed () -. writing)
+            fun () -> time -. Clock.of_program () -. writing)
           time
       in
       let confidence = o.confidence and most = spp in

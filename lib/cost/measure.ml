@@ -23,13 +23,11 @@ let sheet count pixel =
     times = Float.Array.make count 0.;
   }
 
-let now () = Int64.to_float (Mtime.to_uint64_ns (Mtime_clock.now ())) /. 1e9
-
 let render subset sheet tally i =
   let x, y = Subset.pixel subset i in
-  let start = now () in
+  let clock = Clock.start () in
   let c = Pixel.radiance sheet.pixel tally ~x ~y in
-  Float.Array.set sheet.times i (now () -. start);
+  Float.Array.set sheet.times i (Clock.seconds clock);
   Float.Array.set sheet.linear (3 * i) c.r;
   Float.Array.set sheet.linear ((3 * i) + 1) c.g;
   Float.Array.set sheet.linear ((3 * i) + 2) c.b
@@ -61,14 +59,15 @@ let finished ~seconds subset sheet tally =
     let i = 3 * ((y * width) + x) in
     Rgb.v (at i) (at (i + 1)) (at (i + 2))
   in
-  let rays = List.fold_left (fun n c -> n + Tally.get tally c) 0 Tally.rays in
   {
     picture = Picture.init ~width ~height:(Subset.height subset) color;
     linear = Float.Array.map (fun x -> 255. *. x) sheet.linear;
     shown = Float.Array.map Display.encode sheet.linear;
     times = sheet.times;
     seconds = seconds /. Subset.share subset;
-    rays_per_pixel = float_of_int rays /. float_of_int (Subset.count subset);
+    rays_per_pixel =
+      float_of_int (Tally.total_rays tally)
+      /. float_of_int (Subset.count subset);
   }
 
 (* Short enough to share the pixels out evenly. *)

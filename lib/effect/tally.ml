@@ -99,6 +99,7 @@ let move_left_out t a i =
   done;
   start_anew t
 
+let total_rays t = List.fold_left (fun n c -> n + get t c) 0 rays
 let effort t = t.effort
 
 let sum ts =

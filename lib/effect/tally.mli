@@ -58,6 +58,9 @@ val move_left_out : t -> floatarray -> int -> unit
     index [i] on, and starts anew. It allocates nothing. Raises
     [Invalid_argument] if [a] is too short. *)
 
+val total_rays : t -> int
+(** [total_rays t] is how many rays were counted, of all kinds. *)
+
 val effort : t -> Candor_surface.Effort.t
 (** [effort t] is what intersection queries add to. *)
 

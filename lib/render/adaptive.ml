@@ -216,9 +216,10 @@ let raise_base job s =
     (fun s -> { s with base; evenly = true })
     (pass job s (fun _ _ -> base))
 
-let rec spend job s allocation ~scale ~total =
+(* [allowed] is how many seconds there were in the beginning. *)
+let rec spend job s allocation ~scale ~allowed =
   if is_met job s then finish s Met
-  else if total < infinity && left job <= enough_time *. total then
+  else if allowed < infinity && left job <= enough_time *. allowed then
     finish s Out_of_time
   else
     let most = job.target.most in
@@ -239,13 +240,13 @@ let rec spend job s allocation ~scale ~total =
     let growth = growth job s in
     if s.taken > before && growth > missed && scale < in_time then
       let* s = raise_base job s in
-      lay_base job s ~total
+      lay_base job s ~allowed
     else if s.taken > before then
-      spend job s allocation ~scale:(scale *. growth) ~total
+      spend job s allocation ~scale:(scale *. growth) ~allowed
     else if left job < infinity then finish s Out_of_time
     else finish s Out_of_samples
 
-and lay_base job s ~total =
+and lay_base job s ~allowed =
   if is_met job s then finish s Met
   else
     let allocation = allocation job s in
@@ -258,8 +259,8 @@ and lay_base job s ~total =
     let base = next_base job s ~wanted in
     if base > s.base then
       let* s = lay job (forecast job s ~total:wanted) base in
-      lay_base job s ~total
-    else spend job s allocation ~scale ~total
+      lay_base job s ~allowed
+    else spend job s allocation ~scale ~allowed
 
 let start =
   {
@@ -276,11 +277,11 @@ let start =
 (* The first sample tells how long samples take; the fourth, the error. *)
 let run rows target ~pass ~expect =
   let job = { rows; target; pass; expect } in
-  let total = left job in
+  let allowed = left job in
   let* s = lay job start 1 in
   let streams = Sampler.streams in
   let fits = left job >= float_of_int (streams - 1) *. pixels job *. s.rate in
   if target.most >= streams && fits then
     let* s = lay job s streams in
-    lay_base job s ~total
-  else lay_base job s ~total
+    lay_base job s ~allowed
+  else lay_base job s ~allowed

@@ -38,7 +38,6 @@ let of_picture (brightest : Brightest.t) ~cut picture =
 
 (* {1 In the ledger} *)
 
-let count n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
 let cuts = [ Tally.Cut_by_depth; Cut_by_weight ]
 let is_whole tally = List.for_all (fun c -> Tally.get tally c = 0) cuts
 
@@ -49,7 +48,7 @@ let ended (s : Scene.t) tally =
   ]
   |> List.map (fun (counter, why) -> (Tally.get tally counter, why))
   |> List.filter (fun (n, _) -> n > 0)
-  |> List.map (fun (n, why) -> count n "path" ^ " " ^ why)
+  |> List.map (fun (n, why) -> Plural.count n "path" ^ " " ^ why)
   |> String.concat ", "
 
 (* To two digits after the point, never down. *)

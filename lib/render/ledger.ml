@@ -27,13 +27,8 @@ let output picture =
   let n = float_of_int (3 * width * height) in
   { clamped = !clamped; rounding = sqrt (!squares /. n) }
 
-let total_rays (r : Render.report) =
-  List.fold_left (fun n c -> n + Tally.get r.tally c) 0 Tally.rays
-
 let words_per_ray (r : Render.report) =
-  r.words /. float_of_int (Int.max 1 (total_rays r))
-
-let count n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
+  r.words /. float_of_int (Int.max 1 (Tally.total_rays r.tally))
 
 let amount n =
   let x = float_of_int n in
@@ -71,7 +66,7 @@ let sampling ~confidence (r : Render.report) =
       else
         let n = Sample_map.least r.map in
         Printf.sprintf "unknown: %s a pixel %s too few to tell, 4 are enough%s"
-          (count n "sample")
+          (Plural.count n "sample")
           (if n = 1 then "is" else "are")
           (target r)
 
@@ -97,7 +92,8 @@ let output_line (format : Picture_file.format) picture =
   | Ppm | Png ->
       let { clamped; rounding } = output picture in
       Printf.sprintf "%s clamped at 255; 8-bit rounding %.2f/255"
-        (count clamped "pixel") rounding
+        (Plural.count clamped "pixel")
+        rounding
 
 let size w = Printf.sprintf "%dx%d" (Window.width w) (Window.height w)
 
@@ -113,7 +109,7 @@ let text ~name ~format ~confidence ?(warnings = []) (scene : Scene.t)
   let headline =
     Printf.sprintf "%s  %s  %s spp  %.2f s  %s rays  %.1f words/ray" name
       (size r.window) (samples r) r.seconds
-      (amount (total_rays r))
+      (amount (Tally.total_rays r.tally))
       (words_per_ray r)
   in
   let line (what, says) = Printf.sprintf "  %-10s %s" what says in
@@ -133,7 +129,8 @@ let text ~name ~format ~confidence ?(warnings = []) (scene : Scene.t)
 
 let json_rays r =
   let one c = (Tally.name c, Json.Int (Tally.get r.Render.tally c)) in
-  Json.Object (("total", Json.Int (total_rays r)) :: List.map one Tally.rays)
+  Json.Object
+    (("total", Json.Int (Tally.total_rays r.tally)) :: List.map one Tally.rays)
 
 let json_effects plan =
   let one e = (Effect.name e, Json.Bool (Plan.is_on plan e)) in

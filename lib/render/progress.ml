@@ -2,7 +2,7 @@ type style = Silent | Bar | Lines
 
 type t = {
   style : style;
-  clock : Mtime_clock.counter;
+  clock : Clock.t;
   last : float Atomic.t; (* when something was last said, in seconds *)
 }
 
@@ -10,9 +10,9 @@ let make ~quiet =
   let style =
     if quiet then Silent else if Unix.isatty Unix.stderr then Bar else Lines
   in
-  { style; clock = Mtime_clock.counter (); last = Atomic.make 0. }
+  { style; clock = Clock.start (); last = Atomic.make 0. }
 
-let elapsed p = Mtime.Span.to_float_ns (Mtime_clock.count p.clock) /. 1e9
+let elapsed p = Clock.seconds p.clock
 
 let time s =
   if s < 9.95 then Printf.sprintf "%.1f s" s

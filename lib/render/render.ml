@@ -28,8 +28,6 @@ type report = {
   non_finite_pixel : (int * int) option;
 }
 
-let seconds clock = Mtime.Span.to_float_ns (Mtime_clock.count clock) /. 1e9
-
 type job = {
   domains : int;
   stop : unit -> bool;
@@ -63,11 +61,11 @@ let given job samples =
     else note t
   in
   parallel job (fun i ->
-      let clock = Mtime_clock.counter () in
+      let clock = Clock.start () in
       let row = row job i in
       Row.take job.pixel row (samples i);
       let result = Row.result row in
-      let seconds = note (seconds clock) in
+      let seconds = note (Clock.seconds clock) in
       job.progress (Pace.of_parts ~count ~seconds);
       result)
 
@@ -130,10 +128,10 @@ let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
     ?(progress = ignore) ?window ?samples pixel (scene : Scene.t) =
   let window = Option.value window ~default:(Window.full scene) in
   let job = { domains; stop; progress; window; pixel } in
-  let clock = Mtime_clock.counter () in
+  let clock = Clock.start () in
   let report = report job scene in
   let of_rows rows =
-    Option.map (report ~seconds:(seconds clock) ~aim:None) rows
+    Option.map (report ~seconds:(Clock.seconds clock) ~aim:None) rows
   in
   match Option.value samples ~default:(Uniform scene.settings.spp) with
   | Uniform n -> of_rows (given job (fun _ _ -> n))
@@ -142,5 +140,5 @@ let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
       Option.map
         (fun { Adaptive.results; ending; forecasts } ->
           let aim = Some { target; ending; forecasts } in
-          report ~seconds:(seconds clock) ~aim results)
+          report ~seconds:(Clock.seconds clock) ~aim results)
         (adaptive job target)

@@ -38,8 +38,7 @@ let sized folder e =
 type cost = { seconds : float; words : float  (** per ray *) }
 
 let words_per_ray (r : Render.report) =
-  let rays = List.map (Tally.get r.tally) Tally.rays in
-  r.words /. float_of_int (List.fold_left ( + ) 0 rays)
+  r.words /. float_of_int (Tally.total_rays r.tally)
 
 let cost scene pixel =
   let seconds, report =

@@ -3,8 +3,7 @@ open Candor_effect
 open Candor_render
 open Candor_trace
 
-let rays (r : Render.report) =
-  List.fold_left (fun n c -> n + Tally.get r.tally c) 0 Tally.rays
+let rays (r : Render.report) = Tally.total_rays r.tally
 
 let measure (s : Scene.t) =
   let s = { s with settings = { s.settings with spp = 4 } } in

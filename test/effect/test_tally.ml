@@ -61,6 +61,20 @@ let names () =
     ]
     (List.map Tally.name Tally.rays)
 
+let totals () =
+  let t = Tally.make () in
+  List.iteri
+    (fun i c ->
+      for _ = 0 to i do
+        Tally.count t c
+      done)
+    Tally.counters;
+  (* Those that count rays are the first eight. *)
+  Alcotest.(check int)
+    "of rays only"
+    (1 + 2 + 3 + 4 + 5 + 6 + 7 + 8)
+    (Tally.total_rays t)
+
 let watching () =
   let seen = ref 0 in
   let t = Tally.make ~watch:(fun _ -> incr seen) () in
@@ -119,8 +133,9 @@ let suite =
           Alcotest.(check bool)
             "zero" true
             (List.for_all (( = ) 0) (counts (Tally.sum []))));
-      Law.example "counters have different names; three count rays" names;
+      Law.example "counters have different names; eight count rays" names;
       Law.example "what is left out is weighed, and no word is allocated"
         left_out;
+      Alcotest.test_case "rays of all kinds are counted together" `Quick totals;
       Law.example "a watcher sees every event" watching;
     ] )

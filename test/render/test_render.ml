@@ -3,6 +3,8 @@ let () =
   Sys.set_signal Sys.sigpipe Signal_ignore;
   Alcotest.run "render"
     [
+      Test_clock.suite;
+      Test_plural.suite;
       Test_rows.suite;
       Test_window.suite;
       Test_row.suite;
