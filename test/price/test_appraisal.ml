@@ -18,12 +18,6 @@ let without e : Price.setting -> bool = function
   | Without_effect { absent; _ } -> Effect.equal absent e
   | _ -> false
 
-let is_for_nothing (r : Price.row) =
-  match r.verdict with Paid_for_nothing -> true | _ -> false
-
-let is_needed (r : Price.row) =
-  match r.verdict with Needed -> true | _ -> false
-
 let check name expected found = Alcotest.(check bool) name expected found
 
 (* The light on line 4 is behind the wall of line 6, and nothing else stands
@@ -38,13 +32,16 @@ let behind =
      .8)))))";
   ]
 
-let nothing what p = is_for_nothing (row p what)
-let needed what p = is_needed (row p what)
+let says expected name scene wanted =
+  Alcotest.(check bool) name true (Made.verdict scene wanted = expected)
+
+let for_nothing = says Price.Paid_for_nothing
+let needed = says Price.Needed
 
 let lights () =
   let scene = Written.scene behind in
-  Made.eventually "one lights nothing, one is needed" scene (fun p ->
-      nothing (light 4) p && needed (light 3) p);
+  for_nothing "one lights nothing" scene (light 4);
+  needed "one is needed" scene (light 3);
   let p = Made.prices scene in
   let idle = row p (light 4) and busy = row p (light 3) in
   (match idle.setting with
@@ -55,14 +52,15 @@ let lights () =
   if busy.loss < 5. then Alcotest.failf "%g is lost" busy.loss
 
 let effects () =
-  Made.eventually "direct light and textures are needed" (Written.scene behind)
-    (fun p -> needed (without Direct) p && needed (without Textures) p);
+  let scene = Written.scene behind in
+  needed "direct light" scene (without Direct);
+  needed "textures" scene (without Textures);
   let front = List.filteri (fun i _ -> i <> 2) behind in
-  Made.eventually "shadows fall nowhere" (Written.scene front)
-    (nothing (without Shadows));
-  Made.eventually "shadows fall"
+  for_nothing "shadows that fall nowhere" (Written.scene front)
+    (without Shadows);
+  needed "shadows that fall"
     (Written.scene (front @ [ "(sphere (center 0 0 1) (radius .3))" ]))
-    (needed (without Shadows))
+    (without Shadows)
 
 (* Lights are chosen at random: a picture without one has other noise. *)
 let by_chance () =
@@ -76,8 +74,8 @@ let by_chance () =
          .1))))";
       ]
   in
-  Made.eventually "one is behind the wall, one is needed" scene (fun p ->
-      nothing (light 4) p && needed (light 3) p)
+  for_nothing "the one behind the wall" scene (light 4);
+  needed "the one in front" scene (light 3)
 
 let room =
   [
