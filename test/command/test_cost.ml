@@ -4,7 +4,7 @@ let lines text = List.filter (( <> ) "") (String.split_on_char '\n' text)
 let starts line prefix = String.starts_with ~prefix line
 
 let listed () =
-  let r = fine [ "cost"; "s.scene"; "--budget"; "3s" ] in
+  let r = fine [ "cost"; "s.scene"; "--budget"; "6s" ] in
   (match lines r.out with
   | head :: first :: _ ->
       List.iter (mentions head)
@@ -22,7 +22,7 @@ let listed () =
       "1/255";
     ];
   mentions r.err "s.scene: ";
-  mentions r.err "of 3.0 s";
+  mentions r.err "of 6.0 s";
   check_entries "no file is written" [ "s.scene" ]
 
 (* One that lights nothing: it shines from below. *)
