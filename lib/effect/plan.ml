@@ -163,10 +163,13 @@ let parts plan (scene : Scene.t) surface =
       (if is_on plan Sky_light && bounces then Sky_light.sky scene else None);
   }
 
-let goes_on p (vertex : Term.vertex) =
-  if p.bounces then
-    is_on p.plan Indirect && vertex.path.depth < Scene.depth p.scene
-  else Option.is_some vertex.lobes.gloss
+(* What of it depends on the scene alone is asked once. *)
+let goes_on p =
+  if not p.bounces then fun (vertex : Term.vertex) ->
+    Option.is_some vertex.lobes.gloss
+  else
+    let follows = is_on p.plan Indirect and depth = Scene.depth p.scene in
+    fun vertex -> follows && vertex.path.depth < depth
 
 let soft_shadows p =
   Soft_shadows.estimate ?veil:p.veil (Lazy.force p.emitters) p.tracer
