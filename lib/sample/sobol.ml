@@ -1,12 +1,18 @@
-let[@inline] swap x mask s = (x lsr s) land mask lor ((x land mask) lsl s)
+external swap_bytes : int64 -> int64 = "%bswap_int64"
 
-(* The low 32 bits in reverse order. *)
+(* Numbers of 64 bits, which have no box within a function, are free of tags. *)
+let[@inline] swap x mask s =
+  let open Int64 in
+  logor
+    (logand (shift_right_logical x s) mask)
+    (shift_left (logand x mask) s)
+
+(* The low 32 bits in reverse order: those of each byte, and the bytes. *)
 let[@inline] reverse x =
-  let x = swap x 0x55555555 1 in
-  let x = swap x 0x33333333 2 in
-  let x = swap x 0x0f0f0f0f 4 in
-  let x = swap x 0x00ff00ff 8 in
-  swap x 0x0000ffff 16
+  let x = swap (Int64.of_int x) 0x55555555L 1 in
+  let x = swap x 0x33333333L 2 in
+  let x = swap x 0x0f0f0f0fL 4 in
+  Int64.to_int (Int64.shift_right_logical (swap_bytes x) 32)
 
 (* Each bit of the result is the bit of [x], flipped or not by a hash of the
    bits below it: nested scrambling of digits in reverse order. Bits from 32 on,
