@@ -10,9 +10,13 @@ let[@inline] scale k a = v (k *. a.x) (k *. a.y) (k *. a.z)
 let[@inline] along a d t =
   v (Float.fma t d.x a.x) (Float.fma t d.y a.y) (Float.fma t d.z a.z)
 
+(* 2^e for -1022 <= e <= 1023, from its bits. *)
+let[@inline] power e =
+  Int64.float_of_bits (Int64.shift_left (Int64.of_int (e + 1023)) 52)
+
 (* Where the power is a normal number, the product is rounded as it should. *)
 let ldexp e a =
-  if -1022 <= e && e <= 1023 then scale (Float.ldexp 1. e) a
+  if -1022 <= e && e <= 1023 then scale (power e) a
   else v (Float.ldexp a.x e) (Float.ldexp a.y e) (Float.ldexp a.z e)
 
 let[@inline] dot a b = (a.x *. b.x) +. (a.y *. b.y) +. (a.z *. b.z)
