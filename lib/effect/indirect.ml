@@ -43,6 +43,10 @@ let term (scattering : Scattering.t) limit : Term.t =
   else
     let normal = hit.shading_normal in
     let view = Dir.of_vec_or normal view in
-    scattering.sample lobes ~normal ~view ~choice:(Path.one path Lobe)
+    (* Only gloss has lobes to choose from. *)
+    let choice =
+      if Option.is_some lobes.gloss then Path.one path Lobe else 0.
+    in
+    scattering.sample lobes ~normal ~view ~choice
       (Path.pair path Bounce)
     |> Option.fold ~none:Rgb.black ~some:(follow limit radiance tally vertex)

@@ -19,7 +19,7 @@ let veiled veil : Path.t -> Point.t -> Point.t -> Rgb.t -> Rgb.t =
       fun path point at light -> Rgb.mul (veil path point (At at)) light
 
 let is_light lights index (hit : Tracer.hit) =
-  Area_lights.index lights hit.path = Some index
+  Area_lights.is_at lights index hit.path
 
 let show lights tally index hit =
   let of_emitter (e : Emitters.t) =
@@ -29,9 +29,9 @@ let show lights tally index hit =
   Option.iter of_emitter (List.nth_opt (Area_lights.emitters lights) index)
 
 let estimate ?veil lights (tracer : Tracer.t) : estimate =
-  let veiled = veiled veil in
+  let veiled = veiled veil and chooses = Area_lights.chooses lights in
   fun tally path (r : Receiver.t) ->
-    let choice = Path.one path Emitter in
+    let choice = if chooses then Path.one path Emitter else 0. in
     let place = Path.pair path Emitter_direction in
     match Area_lights.sample lights r.vantage ~choice place with
     | None -> Rgb.black

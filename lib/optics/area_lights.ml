@@ -90,6 +90,15 @@ let radiance t i =
   if known t i then Emitters.radiance t.lights.(i).emitter else Rgb.black
 
 let index t path = Hashtbl.find_opt t.indices path
+let chooses t = Array.length t.lights > 1
+
+let rec same_path (p : int list) q =
+  match (p, q) with
+  | [], [] -> true
+  | i :: p, j :: q -> i = j && same_path p q
+  | [], _ :: _ | _ :: _, [] -> false
+
+let is_at t i path = known t i && same_path t.lights.(i).emitter.path path
 
 (* {1 One light} *)
 

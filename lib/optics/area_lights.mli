@@ -30,6 +30,13 @@ val index : t -> int list -> int option
 (** [index t path] is the index of the light at the place [path] that a hit
     reports, if one is there. *)
 
+val is_at : t -> int -> int list -> bool
+(** [is_at t i path] is [index t path = Some i]. *)
+
+val chooses : t -> bool
+(** [chooses t] is whether there is more than one light, so that {!sample} asks
+    for [choice]. *)
+
 type vantage = {
   from : Point.t;
   departure : Ray.departure;
