@@ -59,15 +59,12 @@ type probe = {
   iz : float;
 }
 
-(* A visit under way. The ray enters slabs at the ends that near_x .. near_z
-   name within a node's box, and leaves them at the other ends. *)
+(* A visit under way. *)
 type ('a, 'context) walk = {
-  nodes : Tree.t;
+  boxes : Box_array.t;
+  links : int array;
   hierarchy : 'a t;
   probe : probe;
-  near_x : int;
-  near_y : int;
-  near_z : int;
   cursor : Cursor.t;
   context : 'context;
   test : 'context -> int -> 'a -> bool;
@@ -86,35 +83,43 @@ let[@inline] reciprocal d =
   let i = 1. /. d in
   if Float.abs i = infinity && d <> 0. then nan else i
 
-(* Comparisons are written so that a nan (the origin in a face, the ray along
+(* The ray enters a slab at its low end if it rises, else at its high end.
+   Comparisons are written so that a nan (the origin in a face, the ray along
    it) leaves the interval as it was, on every axis. *)
 let[@inline] meets w n =
-  let b = w.nodes.boxes and p = w.probe in
+  let b = w.boxes and p = w.probe in
   let n = 6 * n in
-  let near = (Float.Array.unsafe_get b (n + w.near_x) -. p.near_ox) *. p.ix
-  and far =
-    (Float.Array.unsafe_get b (n + (w.near_x lxor 1)) -. p.far_ox) *. p.ix
+  let near, far =
+    let low = Float.Array.unsafe_get b n
+    and high = Float.Array.unsafe_get b (n + 1) in
+    if p.ix >= 0. then
+      ((low -. p.near_ox) *. p.ix, (high -. p.far_ox) *. p.ix)
+    else ((high -. p.near_ox) *. p.ix, (low -. p.far_ox) *. p.ix)
   in
   let t0 = if near > 0. then near else 0.
   and t1 = if far < w.cursor.t then far else w.cursor.t in
-  let near = (Float.Array.unsafe_get b (n + w.near_y) -. p.near_oy) *. p.iy
-  and far =
-    (Float.Array.unsafe_get b (n + (w.near_y lxor 1)) -. p.far_oy) *. p.iy
+  let near, far =
+    let low = Float.Array.unsafe_get b (n + 2)
+    and high = Float.Array.unsafe_get b (n + 3) in
+    if p.iy >= 0. then
+      ((low -. p.near_oy) *. p.iy, (high -. p.far_oy) *. p.iy)
+    else ((high -. p.near_oy) *. p.iy, (low -. p.far_oy) *. p.iy)
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
-  let near = (Float.Array.unsafe_get b (n + w.near_z) -. p.near_oz) *. p.iz
-  and far =
-    (Float.Array.unsafe_get b (n + (w.near_z lxor 1)) -. p.far_oz) *. p.iz
+  let near, far =
+    let low = Float.Array.unsafe_get b (n + 4)
+    and high = Float.Array.unsafe_get b (n + 5) in
+    if p.iz >= 0. then
+      ((low -. p.near_oz) *. p.iz, (high -. p.far_oz) *. p.iz)
+    else ((high -. p.near_oz) *. p.iz, (low -. p.far_oz) *. p.iz)
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
-  t0 <= (t1 *. far_factor) +. far_more
+  t0 <= t1 || t0 <= (t1 *. far_factor) +. far_more
 
-let descending w axis =
-  (if axis = 0 then w.near_x else if axis = 1 then w.near_y else w.near_z)
-  land 1
-  = 1
+let[@inline] descending p axis =
+  not ((if axis = 0 then p.ix else if axis = 1 then p.iy else p.iz) >= 0.)
 
 let rec visit_items w from until =
   from < until
@@ -126,11 +131,11 @@ let rec visit_items w from until =
 let rec visit_node w n =
   meets w n
   &&
-  let link = Array.unsafe_get w.nodes.links n in
+  let link = Array.unsafe_get w.links n in
   if Tree.is_leaf link then
     let first = Tree.first link in
     visit_items w first (first + Tree.count link)
-  else if descending w (Tree.axis link) then
+  else if descending w.probe (Tree.axis link) then
     visit_node w (Tree.high_child link) || visit_node w (n + 1)
   else visit_node w (n + 1) || visit_node w (Tree.high_child link)
 
@@ -158,22 +163,11 @@ let probe (ray : Object_ray.t) =
   }
 
 let visit h probe cursor context test =
-  let w =
-    {
-      nodes = h.tree;
-      hierarchy = h;
-      probe;
-      near_x = (if probe.ix >= 0. then 0 else 1);
-      near_y = (if probe.iy >= 0. then 2 else 3);
-      near_z = (if probe.iz >= 0. then 4 else 5);
-      cursor;
-      context;
-      test;
-    }
-  in
+  let { boxes; links; _ } : Tree.t = h.tree in
+  let w = { boxes; links; hierarchy = h; probe; cursor; context; test } in
   let n = Array.length h.items in
   visit_items w (n - h.unbounded) n
-  || (Array.length h.tree.links > 0 && visit_node w 0)
+  || (Array.length links > 0 && visit_node w 0)
 
 (* {1 In parts} *)
 
