@@ -92,8 +92,7 @@ let[@inline] meets w n =
   let near, far =
     let low = Float.Array.unsafe_get b n
     and high = Float.Array.unsafe_get b (n + 1) in
-    if p.ix >= 0. then
-      ((low -. p.near_ox) *. p.ix, (high -. p.far_ox) *. p.ix)
+    if p.ix >= 0. then ((low -. p.near_ox) *. p.ix, (high -. p.far_ox) *. p.ix)
     else ((high -. p.near_ox) *. p.ix, (low -. p.far_ox) *. p.ix)
   in
   let t0 = if near > 0. then near else 0.
@@ -101,8 +100,7 @@ let[@inline] meets w n =
   let near, far =
     let low = Float.Array.unsafe_get b (n + 2)
     and high = Float.Array.unsafe_get b (n + 3) in
-    if p.iy >= 0. then
-      ((low -. p.near_oy) *. p.iy, (high -. p.far_oy) *. p.iy)
+    if p.iy >= 0. then ((low -. p.near_oy) *. p.iy, (high -. p.far_oy) *. p.iy)
     else ((high -. p.near_oy) *. p.iy, (low -. p.far_oy) *. p.iy)
   in
   let t0 = if near > t0 then near else t0
@@ -110,8 +108,7 @@ let[@inline] meets w n =
   let near, far =
     let low = Float.Array.unsafe_get b (n + 4)
     and high = Float.Array.unsafe_get b (n + 5) in
-    if p.iz >= 0. then
-      ((low -. p.near_oz) *. p.iz, (high -. p.far_oz) *. p.iz)
+    if p.iz >= 0. then ((low -. p.near_oz) *. p.iz, (high -. p.far_oz) *. p.iz)
     else ((high -. p.near_oz) *. p.iz, (low -. p.far_oz) *. p.iz)
   in
   let t0 = if near > t0 then near else t0
@@ -138,6 +135,22 @@ let rec visit_node w n =
   else if descending w.probe (Tree.axis link) then
     visit_node w (Tree.high_child link) || visit_node w (n + 1)
   else visit_node w (n + 1) || visit_node w (Tree.high_child link)
+
+(* The same, open nodes being passed through. Boxes hold those below them, also
+   as [meets] rounds: which items are tested hangs on the boxes of leaves alone. *)
+let rec visit_open w n =
+  let link = Array.unsafe_get w.links n in
+  if Tree.is_leaf link then
+    meets w n
+    &&
+    let first = Tree.first link in
+    visit_items w first (first + Tree.count link)
+  else
+    (Tree.is_open link || meets w n)
+    &&
+    if descending w.probe (Tree.axis link) then
+      visit_open w (Tree.high_child link) || visit_open w (n + 1)
+    else visit_open w (n + 1) || visit_open w (Tree.high_child link)
 
 (* How far along its axis the rest of an origin [o] may reach. *)
 let[@inline] rest (ray : Object_ray.t) o i =
@@ -167,7 +180,8 @@ let visit h probe cursor context test =
   let w = { boxes; links; hierarchy = h; probe; cursor; context; test } in
   let n = Array.length h.items in
   visit_items w (n - h.unbounded) n
-  || (Array.length links > 0 && visit_node w 0)
+  || Array.length links > 0
+     && if Tree.may_be_open h.tree then visit_open w 0 else visit_node w 0
 
 (* {1 In parts} *)
 

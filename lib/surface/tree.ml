@@ -1,19 +1,29 @@
 type t = { boxes : Box_array.t; links : int array; order : int array }
 
 (* A leaf's link is first * 16 + count; an inner node's is the complement of
-   high child * 4 + axis, which is negative. *)
+   high child * 8 + axis, and 4 more if it is open, which is negative. *)
 let leaf ~first ~count = (first lsl 4) lor count
-let inner ~high ~axis = lnot ((high lsl 2) lor axis)
+
+let inner ~high ~axis ~is_open =
+  lnot ((high lsl 3) lor (if is_open then 4 else 0) lor axis)
+
 let[@inline] is_leaf l = l >= 0
 let[@inline] first l = l lsr 4
 let[@inline] count l = l land 15
-let[@inline] high_child l = lnot l lsr 2
+let[@inline] is_open l = l land 4 = 0
+let[@inline] high_child l = lnot l lsr 3
 let[@inline] axis l = lnot l land 3
 let bins = 16
 let most_in_leaf = 4
 
 (* What meeting a node costs, in units of testing one item. *)
 let node_cost = 0.5
+
+(* Where there are no more items than this, a node of at least this part of the
+   area of the last one that was met is met so often that its children may as well
+   be met at once. Among more items, what was hit before often spares it. *)
+let most_in_open = 16
+let open_part = 0.6
 
 (* Deeper than this, items are divided by number. *)
 let sah_depth = 40
@@ -117,16 +127,28 @@ let divide b n depth first count =
     then (axis, 0)
     else (axis, partition b division last first count))
 
-let rec node b depth first count =
+let has_few order = Array.length order <= most_in_open
+
+let fills b n around =
+  let unit =
+    Box_array.extent b.nodes around (Box_array.widest b.nodes around)
+  in
+  let area n = Box_array.half_area b.nodes n ~unit in
+  n <> around && area n >= open_part *. area around
+
+(* [around] is the last node on the way here that is not open. *)
+let rec node b ~around depth first count =
   let n = b.size in
   b.size <- n + 1;
   measure b n first count;
   match if count = 1 then (0, 0) else divide b n depth first count with
   | _, 0 -> b.links.(n) <- leaf ~first ~count
   | axis, below ->
-      node b (depth + 1) first below;
-      b.links.(n) <- inner ~high:b.size ~axis;
-      node b (depth + 1) (first + below) (count - below)
+      let is_open = has_few b.order && fills b n around in
+      let around = if is_open then around else n in
+      node b ~around (depth + 1) first below;
+      b.links.(n) <- inner ~high:b.size ~axis ~is_open;
+      node b ~around (depth + 1) (first + below) (count - below)
 
 let build items order =
   let n = Array.length order in
@@ -143,5 +165,7 @@ let build items order =
       scratch = Box_array.create 2;
     }
   in
-  if n > 0 then node b 0 0 n;
+  if n > 0 then node b ~around:0 0 0 n;
   { boxes = b.nodes; links = Array.sub b.links 0 b.size; order }
+
+let may_be_open (t : t) = has_few t.order

@@ -28,6 +28,14 @@ val first : int -> int
 val count : int -> int
 (** [count l] is how many items a leaf has. *)
 
+val is_open : int -> bool
+(** [is_open l] is whether an inner node is so large beside those that it is in
+    that its box need not be met: its children do as well. No root is open. *)
+
+val may_be_open : t -> bool
+(** [may_be_open t] is [false] only if no node of [t] is open: large trees have
+    none. *)
+
 val high_child : int -> int
 (** [high_child l] is an inner node's other child. *)
 
