@@ -33,8 +33,7 @@ let triple (a : Vec.t) b c =
   else Expansion.(to_float (dot (exact a) (cross (exact b) (exact c))))
 
 (* |a . (b x c)| over the three lengths. Errors are least from the shortest. *)
-let volume a b c =
-  let la = Vec.norm a and lb = Vec.norm b and lc = Vec.norm c in
+let[@inline] volume a b c la lb lc =
   let v =
     if la <= lb && la <= lc then triple a b c
     else if lb <= lc then triple b c a
@@ -42,11 +41,16 @@ let volume a b c =
   in
   if v = 0. then 0. else Float.abs v /. la /. lb /. lc
 
-let direction a = (Dir.of_vec_or Dir.z a :> Vec.t)
+(* [l] is the length of [a]. Where it is near 1, directions are made by dividing
+   by just that. *)
+let[@inline] direction (a : Vec.t) l =
+  if l > 0x1p-300 && l < 0x1p300 then Vec.v (a.x /. l) (a.y /. l) (a.z /. l)
+  else (Dir.of_vec_or Dir.z a :> Vec.t)
 
 let of_scaled a b c =
-  let volume = volume a b c in
-  let a = direction a and b = direction b and c = direction c in
+  let la = Vec.norm a and lb = Vec.norm b and lc = Vec.norm c in
+  let volume = volume a b c la lb lc in
+  let a = direction a la and b = direction b lb and c = direction c lc in
   let past = Vec.dot a c +. Vec.dot b c and beside = 1. +. Vec.dot a b in
   let half = if volume > 0. then Float.atan2 volume (past +. beside) else 0. in
   { a; b; c; volume; past; beside; half }
