@@ -17,6 +17,7 @@ type t = {
   tree : Light_tree.t;
   place : int array; (* of each light in the order of the tree *)
   indices : (int list, int) Hashtbl.t; (* by path; never changed *)
+  flat : bool; (* whether some target is *)
 }
 
 type vantage = { from : Point.t; departure : Ray.departure; time : float }
@@ -80,7 +81,8 @@ let make (scene : Scene.t) =
   Array.iteri
     (fun i l -> Hashtbl.add indices l.emitter.Primitives.path i)
     lights;
-  { lights; tree; place; indices }
+  let flat = Array.exists (fun l -> Light_target.is_flat l.target) lights in
+  { lights; tree; place; indices; flat }
 
 let is_empty t = Array.length t.lights = 0
 let emitters t = Array.to_list (Array.map (fun l -> l.emitter) t.lights)
@@ -115,19 +117,33 @@ let from_still light { from; time; _ } =
     Point.add from (Vec.neg (Vec.scale time light.emitter.velocity))
   else from
 
-let weight light vantage =
+let look light vantage =
+  match seen light vantage with
+  | None -> Light_target.nothing
+  | Some target -> Light_target.look target ~from:(from_still light vantage)
+
+let weight light looks i vantage =
   match seen light vantage with
   | None -> 0.
   | Some target ->
+      let from = from_still light vantage in
       light.strength
-      *. Light_target.solid_angle target ~from:(from_still light vantage)
+      *.
+      if i < Array.length looks then
+        Light_target.solid_angle_seen looks.(i) target ~from
+      else Light_target.solid_angle target ~from
 
-let sample_light t index vantage probability p =
+let sample_light t index looks i vantage probability p =
   let light = t.lights.(index) in
   match seen light vantage with
   | None -> None
   | Some target -> (
-      match Light_target.sample target ~from:(from_still light vantage) p with
+      let from = from_still light vantage in
+      match
+        if i < Array.length looks then
+          Light_target.sample_seen looks.(i) target ~from p
+        else Light_target.sample target ~from p
+      with
       | None -> None
       | Some { direction; density } ->
           let density = probability *. density in
@@ -144,8 +160,14 @@ let light_density t index vantage d =
 
 let at t i = (Light_tree.order t.tree).(i)
 
-let weights t ({ first; count; _ } : Light_tree.leaf) vantage =
-  let weight i = weight t.lights.(at t (first + i)) vantage in
+(* What is seen of each, once for its weight and for what is sampled of it. None
+   where there is nothing to be kept. *)
+let looks t ({ first; count; _ } : Light_tree.leaf) vantage =
+  let one i = look t.lights.(at t (first + i)) vantage in
+  if t.flat then Array.init count one else [||]
+
+let weights t ({ first; count; _ } : Light_tree.leaf) looks vantage =
+  let weight i = weight t.lights.(at t (first + i)) looks i vantage in
   Float.Array.init count weight
 
 let sum = Float.Array.fold_left ( +. ) 0.
@@ -159,9 +181,10 @@ let rec pick weights i left =
 
 let sample_among t (leaf : Light_tree.leaf) vantage p =
   if leaf.count = 1 then
-    sample_light t (at t leaf.first) vantage leaf.probability p
+    sample_light t (at t leaf.first) [||] 0 vantage leaf.probability p
   else
-    let weights = weights t leaf vantage in
+    let looks = looks t leaf vantage in
+    let weights = weights t leaf looks vantage in
     let total = sum weights in
     if not (total > 0.) then None
     else
@@ -169,7 +192,7 @@ let sample_among t (leaf : Light_tree.leaf) vantage p =
       let part = Float.Array.get weights i /. total in
       sample_light t
         (at t (leaf.first + i))
-        vantage (leaf.probability *. part) p
+        looks i vantage (leaf.probability *. part) p
 
 let sample t vantage ~choice p =
   if is_empty t then None
@@ -180,7 +203,7 @@ let sample t vantage ~choice p =
 let probability_among t (leaf : Light_tree.leaf) vantage place =
   if leaf.count = 1 then leaf.probability
   else
-    let weights = weights t leaf vantage in
+    let weights = weights t leaf (looks t leaf vantage) vantage in
     let part = Float.Array.get weights (place - leaf.first) /. sum weights in
     if part > 0. then leaf.probability *. part else 0.
 

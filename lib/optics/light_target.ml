@@ -185,17 +185,10 @@ let cap ~axis ~one_minus_cos t =
 
 (* {1 Balls} *)
 
-let[@inline] cone_cosine ~distance ~radius =
-  let sine = radius /. distance in
-  let cosine =
-    sqrt ((distance -. radius) /. distance *. ((distance +. radius) /. distance))
-  in
-  sine *. sine /. (1. +. cosine)
-
 (* 1 − cos of the cone in which a ball is seen: 2 from inside, 0 if that side
    sends out nothing. The rounded surface counts as inside that does. *)
 let ball_cone { radius; both; _ } distance =
-  if distance > radius then cone_cosine ~distance ~radius
+  if distance > radius then Warp.cone_of_ball ~distance ~radius
   else if both || distance > radius *. (1. -. 0x1p-40) then 2.
   else 0.
 
@@ -277,7 +270,8 @@ let cap_solid_angle cap from =
   and radius = cap.radius *. sqrt (2. *. cap.one_minus_cos)
   and distance = Vec.norm o in
   if not outside then 0.
-  else if distance > radius then 2. *. Float.pi *. cone_cosine ~distance ~radius
+  else if distance > radius then
+    2. *. Float.pi *. Warp.cone_of_ball ~distance ~radius
   else full
 
 (* {1 Facets} *)
@@ -297,10 +291,6 @@ let spherical from f =
   in
   if Spherical_triangle.solid_angle t > 0. then Some t else None
 
-let total triangles =
-  let add sum t = sum +. Spherical_triangle.solid_angle t in
-  List.fold_left add 0. triangles
-
 (* [u] of the [total] is still to be passed over. *)
 let rec pick total u v = function
   | [] -> None
@@ -312,14 +302,6 @@ let rec pick total u v = function
           let u = Float.min (u /. part) (Float.pred 1.) in
           usable (Spherical_triangle.sample t { u; v }) (1. /. total))
 
-let sample_facets visible facets from (p : Pattern.position) =
-  match (seen visible facets from, visible, facets) with
-  | [], Hull, _ :: _ -> anywhere p
-  | seen, (Hull | All | Facing), _ ->
-      let triangles = List.filter_map (spherical from) seen in
-      let total = total triangles in
-      pick total (p.u *. total) p.v triangles
-
 (* Is [d] between the three corners? Of each two, their plane has it on the side
    of the third. The edges keep the digits of a small facet seen from afar. *)
 let holds from (d : Vec.t) f =
@@ -329,29 +311,44 @@ let holds from (d : Vec.t) f =
   in
   inside f.a f.b && inside f.b f.c && inside f.c f.a
 
-let facets_solid_angle visible facets from =
-  match (seen visible facets from, visible, facets) with
-  | [], Hull, _ :: _ -> full
-  | seen, (Hull | All | Facing), _ ->
-      total (List.filter_map (spherical from) seen)
-
 let facets_density visible facets from (d : Dir.t) =
   match (seen visible facets from, visible, facets) with
   | [], Hull, _ :: _ -> 1. /. full
   | seen, (Hull | All | Facing), _ ->
       if List.exists (holds from (d :> Vec.t)) seen then
-        let total = total (List.filter_map (spherical from) seen) in
+        let total =
+          Spherical_triangle.total (List.filter_map (spherical from) seen)
+        in
         if total > 0. then 1. /. total else 0.
       else 0.
 
 (* {1 All} *)
 
-let sample t ~from p =
+type look = Curved | Everything | Triangles of Spherical_triangle.t list
+
+let nothing = Curved
+
+let look t ~from =
   match t with
-  | Ball ball -> sample_ball ball from p
-  | Ellipsoid e -> Ellipsoid_target.sample e ~from p
-  | Cap cap -> sample_cap cap from p
-  | Facets { visible; facets } -> sample_facets visible facets from p
+  | Ball _ | Ellipsoid _ | Cap _ -> Curved
+  | Facets { visible; facets } -> (
+      match (seen visible facets from, visible, facets) with
+      | [], Hull, _ :: _ -> Everything
+      | seen, (Hull | All | Facing), _ ->
+          Triangles (List.filter_map (spherical from) seen))
+
+let sample_seen look t ~from (p : Pattern.position) =
+  match (look, t) with
+  | Everything, _ -> anywhere p
+  | Triangles triangles, _ ->
+      let total = Spherical_triangle.total triangles in
+      pick total (p.u *. total) p.v triangles
+  | Curved, Ball ball -> sample_ball ball from p
+  | Curved, Ellipsoid e -> Ellipsoid_target.sample e ~from p
+  | Curved, Cap cap -> sample_cap cap from p
+  | Curved, Facets _ -> None
+
+let sample t ~from p = sample_seen (look t ~from) t ~from p
 
 let density t ~from d =
   match t with
@@ -360,13 +357,17 @@ let density t ~from d =
   | Cap cap -> cap_density cap from d
   | Facets { visible; facets } -> facets_density visible facets from d
 
-let solid_angle t ~from =
-  match t with
-  | Ball ball ->
+let solid_angle_seen look t ~from =
+  match (look, t) with
+  | Everything, _ -> full
+  | Triangles triangles, _ -> Spherical_triangle.total triangles
+  | Curved, Ball ball ->
       2. *. Float.pi *. ball_cone ball (Vec.norm (Point.sub ball.center from))
-  | Ellipsoid e -> Ellipsoid_target.solid_angle e ~from
-  | Cap cap -> cap_solid_angle cap from
-  | Facets { visible; facets } -> facets_solid_angle visible facets from
+  | Curved, Ellipsoid e -> Ellipsoid_target.solid_angle e ~from
+  | Curved, Cap cap -> cap_solid_angle cap from
+  | Curved, Facets _ -> 0.
+
+let solid_angle t ~from = solid_angle_seen (look t ~from) t ~from
 
 let facet_area { a; b; c; _ } =
   0.5 *. Vec.norm (Vec.cross (Point.sub b a) (Point.sub c a))
@@ -377,6 +378,10 @@ let area = function
   | Cap cap -> cap_area cap
   | Facets { facets; _ } ->
       List.fold_left (fun sum f -> sum +. facet_area f) 0. facets
+
+let is_flat = function
+  | Facets _ -> true
+  | Ball _ | Ellipsoid _ | Cap _ -> false
 
 let around center r =
   let at x y z = Point.add center (Vec.v (x *. r) (y *. r) (z *. r)) in

@@ -52,6 +52,29 @@ val solid_angle : t -> from:Point.t -> float
     around its middle that holds it, which is no less. It is 0 only where
     [sample] is [None], up to rounding. *)
 
+(** {1 Asking twice from one point} *)
+
+type look
+(** What {!sample} and {!solid_angle} have in common; much of the work of both
+    where the target is flat. *)
+
+val is_flat : t -> bool
+(** [is_flat t] is whether [look t] is more than nothing. *)
+
+val look : t -> from:Point.t -> look
+(** [look t ~from] is [t] as seen from that point. *)
+
+val nothing : look
+(** [nothing] is every look at a target that is not flat. *)
+
+val sample_seen : look -> t -> from:Point.t -> Pattern.position -> sample option
+(** [sample_seen (look t ~from) t ~from p] is [sample t ~from p]. *)
+
+val solid_angle_seen : look -> t -> from:Point.t -> float
+(** [solid_angle_seen (look t ~from) t ~from] is [solid_angle t ~from]. *)
+
+(** {1 Extent} *)
+
 val area : t -> float
 (** [area t] is the area of the target, one side of it; for an ellipsoid up to
     2/√3 of that. *)

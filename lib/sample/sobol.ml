@@ -3,9 +3,7 @@ external swap_bytes : int64 -> int64 = "%bswap_int64"
 (* Numbers of 64 bits, which have no box within a function, are free of tags. *)
 let[@inline] swap x mask s =
   let open Int64 in
-  logor
-    (logand (shift_right_logical x s) mask)
-    (shift_left (logand x mask) s)
+  logor (logand (shift_right_logical x s) mask) (shift_left (logand x mask) s)
 
 (* The low 32 bits in reverse order: those of each byte, and the bytes. *)
 let[@inline] reverse x =

@@ -64,6 +64,10 @@ let make a b c =
   else of_scaled Vec.zero Vec.zero Vec.zero
 
 let solid_angle t = 2. *. t.half
+
+let total triangles =
+  List.fold_left (fun sum t -> sum +. solid_angle t) 0. triangles
+
 let density t = if t.half > 0. then 0.5 /. t.half else 0.
 
 let[@inline] squared_distance a b =

@@ -24,6 +24,9 @@ val solid_angle : t -> float
     {e The Solid Angle of a Plane Triangle}, IEEE Transactions on Biomedical
     Engineering 30(2), 1983. *)
 
+val total : t list -> float
+(** [total ts] is the sum of their solid angles, taken from the first on. *)
+
 val density : t -> float
 (** [density t] is 1 over the solid angle, which is the density of [sample t] in
     each direction inside [t]; 0 if the solid angle is 0. *)

@@ -54,6 +54,13 @@ let sphere p = cone ~one_minus_cos:2. p
 let[@inline] one_minus_cos ~sin2 =
   sin2 /. (1. +. sqrt (Float.max 0. (1. -. sin2)))
 
+let[@inline] cone_of_ball ~distance ~radius =
+  let sine = radius /. distance in
+  let cosine =
+    sqrt ((distance -. radius) /. distance *. ((distance +. radius) /. distance))
+  in
+  sine *. sine /. (1. +. cosine)
+
 (* 1 + g^2 - 2g cos is (1 - |g|)^2 + 2|g| (1 - cos), with the angle from -w if g
    is negative; and 1 - cos is half the squared distance of the directions. *)
 let henyey_greenstein ~g w w' =

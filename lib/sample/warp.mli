@@ -54,6 +54,11 @@ val one_minus_cos : sin2:float -> float
 (** [one_minus_cos ~sin2] is 1 − cos θ of the angle θ ≤ π/2 whose squared sine
     is [sin2], in \[0;1\]; accurate for the smallest. *)
 
+val cone_of_ball : distance:float -> radius:float -> float
+(** [cone_of_ball ~distance ~radius] is 1 − cos of the angle in which half of a
+    ball of that radius is seen from that distance between its centre and the
+    eye, which is the larger of the two. *)
+
 (** {1 Scattering} *)
 
 val henyey_greenstein : g:float -> Dir.t -> Dir.t -> float
