@@ -45,17 +45,23 @@ let exponent a =
 (* Squares of numbers in this range neither overflow nor lose their bits. *)
 let safe m = m > 0x1p-400 && m < 0x1p400
 
-let norm a =
+let extreme_norm a =
   let m = largest a in
   if m = 0. || not (Float.is_finite m) then m
   else if safe m then sqrt (dot a a)
   else
-    (* Small enough to be inlined: its result is not boxed then. *)
     let _, e = Float.frexp m in
     let a =
       v (Float.ldexp a.x (-e)) (Float.ldexp a.y (-e)) (Float.ldexp a.z (-e))
     in
     Float.ldexp (sqrt (dot a a)) e
+
+(* Only numbers that are safe have such squares. *)
+let[@inline] has_plain_square d = d > 0x1p-600 && d < 0x1p600
+
+let[@inline] norm a =
+  let d = dot a a in
+  if has_plain_square d then sqrt d else extreme_norm a
 
 let is_finite a =
   Float.is_finite a.x && Float.is_finite a.y && Float.is_finite a.z

@@ -33,6 +33,11 @@ val cross : t -> t -> t
 (** [cross a b] is the vector product, right-handed. [cross b a] is exactly
     [neg (cross a b)]. *)
 
+val has_plain_square : float -> bool
+(** [has_plain_square (dot a a)] is [true] only if [a] is finite, not zero, and
+    its largest component in \]2^-400;2^400\[: [norm a] is the root of that
+    then. *)
+
 val norm : t -> float
 (** [norm a] is the Euclidean length, without overflow or underflow on the way.
 *)
