@@ -1,3 +1,4 @@
+open Candor_number
 open Candor_space
 
 type 'm t = {
@@ -111,8 +112,8 @@ let v ~t ~math contact (local : Local.t) way i material =
 (* One step of rounding in the direction of the move, so that the move is never
    rounded away. *)
 let outward move x =
-  if move > 0. then Float.succ (x +. move)
-  else if move < 0. then Float.pred (x +. move)
+  if move > 0. then Neighbour.succ (x +. move)
+  else if move < 0. then Neighbour.pred (x +. move)
   else x
 
 let[@inline] moved_off { Point.x; y; z } (n : Vec.t) k =
