@@ -81,7 +81,7 @@ let far_more = 0x1p-1070
    leaves the axis out. *)
 let[@inline] reciprocal d =
   let i = 1. /. d in
-  if Float.abs i = infinity && d <> 0. then nan else i
+  if Float.abs i <= 0x1.fffffffffffffp1023 || d = 0. then i else nan
 
 (* The ray enters a slab at its low end if it rises, else at its high end.
    Comparisons are written so that a nan (the origin in a face, the ray along
@@ -153,27 +153,38 @@ let rec visit_open w n =
     else visit_open w (n + 1) || visit_open w (Tree.high_child link)
 
 (* How far along its axis the rest of an origin [o] may reach. *)
-let[@inline] rest (ray : Object_ray.t) o i =
-  if ray.exact then 0.
-  else
-    let e = 0x1p-51 *. Float.abs o in
-    if i >= 0. then e else -.e
+let[@inline] rest o i =
+  let e = 0x1p-51 *. Float.abs o in
+  if i >= 0. then e else -.e
 
 let probe (ray : Object_ray.t) =
   let o = ray.origin and d = ray.direction in
   let ix = reciprocal d.x and iy = reciprocal d.y and iz = reciprocal d.z in
-  let ex = rest ray o.x ix and ey = rest ray o.y iy and ez = rest ray o.z iz in
-  {
-    near_ox = o.x +. ex;
-    near_oy = o.y +. ey;
-    near_oz = o.z +. ez;
-    far_ox = o.x -. ex;
-    far_oy = o.y -. ey;
-    far_oz = o.z -. ez;
-    ix;
-    iy;
-    iz;
-  }
+  if ray.exact then
+    {
+      near_ox = o.x;
+      near_oy = o.y;
+      near_oz = o.z;
+      far_ox = o.x;
+      far_oy = o.y;
+      far_oz = o.z;
+      ix;
+      iy;
+      iz;
+    }
+  else
+    let ex = rest o.x ix and ey = rest o.y iy and ez = rest o.z iz in
+    {
+      near_ox = o.x +. ex;
+      near_oy = o.y +. ey;
+      near_oz = o.z +. ez;
+      far_ox = o.x -. ex;
+      far_oy = o.y -. ey;
+      far_oz = o.z -. ez;
+      ix;
+      iy;
+      iz;
+    }
 
 let visit h probe cursor context test =
   let { boxes; links; _ } : Tree.t = h.tree in
