@@ -47,6 +47,5 @@ let term (scattering : Scattering.t) limit : Term.t =
     let choice =
       if Option.is_some lobes.gloss then Path.one path Lobe else 0.
     in
-    scattering.sample lobes ~normal ~view ~choice
-      (Path.pair path Bounce)
+    scattering.sample lobes ~normal ~view ~choice (Path.pair path Bounce)
     |> Option.fold ~none:Rgb.black ~some:(follow limit radiance tally vertex)

@@ -20,6 +20,7 @@ let of_vec_or default a =
   let d = Vec.dot a a in
   if Vec.has_plain_square d then over a (sqrt d)
   else match of_extreme a with Some u -> u | None -> default
+
 let x = Vec.v 1. 0. 0.
 let y = Vec.v 0. 1. 0.
 let z = Vec.v 0. 0. 1.

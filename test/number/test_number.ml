@@ -2,6 +2,7 @@ let () =
   Alcotest.run "number"
     [
       Test_error_free.suite;
+      Test_neighbour.suite;
       Test_double_double.suite;
       Test_expansion.suite;
       Test_running_sum.suite;

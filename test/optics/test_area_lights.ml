@@ -227,6 +227,13 @@ let black () =
     "its index" (Some 0)
     (Area_lights.index some [ 1 ]);
   Alcotest.(check (option int)) "no index" None (Area_lights.index some [ 0 ]);
+  let is_at path = Area_lights.is_at some 0 path in
+  Alcotest.(check (list bool))
+    "is at its place alone"
+    [ true; false; false; false ]
+    (List.map is_at [ [ 1 ]; [ 0 ]; []; [ 1; 0 ] ]);
+  Alcotest.(check bool) "no second light" false (Area_lights.is_at some 1 [ 1 ]);
+  Alcotest.(check bool) "one is not chosen" false (Area_lights.chooses some);
   Near.rgb "no radiance" Candor_colour.Rgb.black (Area_lights.radiance some 1);
   Near.float "no density" 0.
     (Area_lights.density some (vantage Point.origin) ~index:1 Dir.x)

@@ -18,6 +18,26 @@ let scaled (a, k) =
   let by = Float.ldexp 1. k in
   Dir.of_vec a = Dir.of_vec (Vec.scale by a)
 
+(* What [of_vec] and [norm] do where squares may leave the range: the length is
+   taken near 1. *)
+let by_way_of_one a =
+  let e = Vec.exponent a in
+  let near = Vec.ldexp (-e) a in
+  let n = sqrt (Vec.dot near near) in
+  (Vec.v (near.x /. n) (near.y /. n) (near.z /. n), Float.ldexp n e)
+
+let as_plain_squares (a, k) =
+  let a = Vec.ldexp k a in
+  let largest = Vec.largest a in
+  let plain = Vec.has_plain_square (Vec.dot a a) in
+  (not plain)
+  || largest > 0x1p-400 && largest < 0x1p400
+     &&
+     let d, n = by_way_of_one a in
+     Float.equal (Vec.norm a) n
+     && (Dir.of_vec_or Dir.z a :> Vec.t) = d
+     && Dir.of_vec a = Some (Dir.of_vec_or Dir.z a)
+
 let none () =
   List.iter
     (fun a ->
@@ -87,4 +107,16 @@ let suite =
       Law.law ~count:5000 ~print:show "turning twice changes nothing" vec turned;
       Law.example "what has no direction has none" none;
       Law.example "G12: the smallest and the largest vectors have one" extremes;
+      Law.law ~count:5000
+        ~print:(fun (a, k) -> Printf.sprintf "%s by 2^%d" (show a) k)
+        "what is divided by a plain root has the bits of what is brought near \
+         1 first"
+        QCheck2.Gen.(
+          pair
+            (map
+               (fun ((x, y), z) -> Vec.v x y z)
+               (let number = Draw.uniform (-2.) 2. in
+                pair (pair number number) number))
+            (int_range (-450) 450))
+        as_plain_squares;
     ] )

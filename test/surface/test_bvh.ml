@@ -90,6 +90,13 @@ let none_left_out (boxes, ray) =
                || Law.fail "item %d is left out: %s" i (Bounds.show b)))
           boxes)
 
+(* Rounding included: a box that a ray meets alone is met among others, whatever
+   boxes are around it and whether those are met or passed through. *)
+let met_as_alone (boxes, ray) =
+  let seen, _ = visited boxes ray in
+  let alone b = (fst (visited [| b |] ray)).(0) in
+  Array.for_all2 (fun n b -> n >= alone b) seen boxes
+
 let stops_at_first (boxes, (ray : Ray.t)) =
   let h = Bvh.make ~bounds:Fun.id boxes in
   let count = ref 0 in
@@ -247,6 +254,7 @@ let suite =
       law ~count:5000
         "no item whose box the ray meets is left out, none is visited twice"
         none_left_out;
+      law ~count:5000 "a box that is met alone is met among others" met_as_alone;
       law "a test that says so ends the visit" stops_at_first;
       law "the same boxes make the same tree" same_tree;
       law "its bounds hold every item" holds_all;

@@ -91,6 +91,39 @@ let not_too_deep n node =
   let deepest = depth node in
   float_of_int deepest <= most || Law.fail "a path of length %d" deepest
 
+(* No root is open and no node of a large tree; open ones fill what they are
+   in. *)
+let open_nodes_are_large (boxes, items) =
+  let t = build_of boxes items in
+  let area n =
+    let b = Box_array.get t.boxes n in
+    let d = Point.sub (Bounds.high b) (Bounds.low b) in
+    (d.x *. d.y) +. (d.y *. d.z) +. (d.z *. d.x)
+  in
+  let rec sound n around =
+    let link = t.links.(n) in
+    Tree.is_leaf link
+    ||
+    let is_open = Tree.is_open link in
+    ((not is_open)
+    || Tree.may_be_open t && n <> around
+       && not (area n < 0.5999 *. area around))
+    &&
+    let around = if is_open then around else n in
+    sound (n + 1) around && sound (Tree.high_child link) around
+  in
+  Array.length t.links = 0 || sound 0 0
+
+let room () =
+  let wall i = Bounds.v Point.origin (Point.v 9. 9. (9. +. float_of_int i)) in
+  let opened n =
+    let links = (build (Array.init n wall)).links in
+    let is_open l = (not (Tree.is_leaf l)) && Tree.is_open l in
+    Array.exists is_open links
+  in
+  Alcotest.(check bool) "among few" true (opened 8);
+  Alcotest.(check bool) "among many" false (opened 40)
+
 let sorted a = List.sort Int.compare (Array.to_list a)
 
 let is_sound (boxes, items) =
@@ -263,6 +296,9 @@ let suite =
       law ~count:200 "the same boxes make the same tree" cases same_again;
       law ~count:200 "an inner node is divided along its axis" spread_cases
         divided_by_axis;
+      law ~count:400 "open nodes fill the closed ones that they are in" cases
+        open_nodes_are_large;
+      Law.example "boxes around the same room are open" room;
       Law.example "of nothing there is no node, of one item a leaf" none_and_one;
       Law.example "two clusters are parted" two_clusters;
       Law.example "G5: identical boxes are divided by number" identical;
