@@ -2,7 +2,7 @@ type t = Vec.t [@@deriving show, eq, ord]
 
 let[@inline] over (a : Vec.t) n = Vec.v (a.x /. n) (a.y /. n) (a.z /. n)
 
-let of_extreme (a : Vec.t) =
+let[@inline never] of_extreme (a : Vec.t) =
   let m = Vec.largest a in
   if m = 0. || not (Vec.is_finite a) then None
   else

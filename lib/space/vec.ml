@@ -45,7 +45,7 @@ let exponent a =
 (* Squares of numbers in this range neither overflow nor lose their bits. *)
 let safe m = m > 0x1p-400 && m < 0x1p400
 
-let extreme_norm a =
+let[@inline never] extreme_norm a =
   let m = largest a in
   if m = 0. || not (Float.is_finite m) then m
   else if safe m then sqrt (dot a a)
@@ -59,9 +59,10 @@ let extreme_norm a =
 (* Only numbers that are safe have such squares. *)
 let[@inline] has_plain_square d = d > 0x1p-600 && d < 0x1p600
 
+(* The product with 1 makes both cases numbers without a box. *)
 let[@inline] norm a =
   let d = dot a a in
-  if has_plain_square d then sqrt d else extreme_norm a
+  if has_plain_square d then sqrt d else 1. *. extreme_norm a
 
 let is_finite a =
   Float.is_finite a.x && Float.is_finite a.y && Float.is_finite a.z

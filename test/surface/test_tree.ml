@@ -121,7 +121,7 @@ let room () =
     let is_open l = (not (Tree.is_leaf l)) && Tree.is_open l in
     Array.exists is_open links
   in
-  Alcotest.(check bool) "among few" true (opened 8);
+  Alcotest.(check bool) "among few" true (opened 16);
   Alcotest.(check bool) "among many" false (opened 40)
 
 let sorted a = List.sort Int.compare (Array.to_list a)
