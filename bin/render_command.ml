@@ -117,7 +117,7 @@ let trace o ~stop ~samples scene window =
 (* A stated error that was not met is told by the ledger, and by the code. *)
 let reached (s : Scene.t) (report : Render.report) =
   match (s.settings.error, report.aim) with
-  | Some error, Some { ending = Out_of_time | Out_of_samples; _ } ->
+  | Some error, Some { ending = Misjudged | Out_of_time | Out_of_samples; _ } ->
       Status.Missed (Printf.sprintf "the error of %g/255 was not reached" error)
   | (Some _ | None), (Some _ | None) -> Status.Fine
 

@@ -99,7 +99,12 @@ let move_left_out t a i =
   done;
   start_anew t
 
-let total_rays t = List.fold_left (fun n c -> n + get t c) 0 rays
+(* Without a closure: it is asked for every pixel. *)
+let rec sum_of t n = function
+  | [] -> n
+  | c :: others -> sum_of t (n + get t c) others
+
+let total_rays t = sum_of t 0 rays
 let effort t = t.effort
 
 let sum ts =

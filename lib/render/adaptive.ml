@@ -7,281 +7,354 @@ type target = {
   most : int;
 }
 
-type forecast = { taken : float; total : float; low : float; high : float }
-type ending = Met | Out_of_time | Out_of_samples
+type ending = Met | Misjudged | Out_of_time | Out_of_samples
 
 type outcome = {
   results : Row.result array;
   ending : ending;
-  forecasts : forecast list;
+  forecasts : Forecast.t list;
 }
 
 type job = {
+  window : Window.t;
   rows : Row.t array;
   target : target;
-  pass : (int -> int -> int) -> Row.result array option;
-  expect : forecast -> unit;
+  pass : (int -> int -> int) -> unit option;
+  expect : Forecast.t -> unit;
+  allowed : float; (* seconds that there were in the beginning *)
 }
 
-(* What is done so far. *)
+(* What becomes of a fifth. *)
+type fate = Going | Stopped of { results : Row.result array; met : bool }
+
 type state = {
-  results : Row.result array;
-  base : int; (* samples that every pixel has *)
-  sampling : Sampling.t;
-  law : float; (* the mean square error goes as n^-law *)
+  mean : float; (* samples a pixel, of the rung *)
+  base : int; (* that all pixels have *)
+  allocation : Allocation.t; (* of the others *)
+  squares : float; (* what the base shows of the squared error, of all pixels *)
+  before : float; (* what half the base showed *)
+  full : bool array; (* fifths of which all that may have more have the most *)
+  fates : fate array;
   taken : float; (* samples *)
   rate : float; (* seconds for each of the last *)
-  evenly : bool; (* whether all pixels had as many of the last *)
-  forecasts : forecast list; (* last first *)
+  forecasts : Forecast.t list; (* last first *)
 }
 
-let width job = Row.width job.rows.(0)
-let height job = Array.length job.rows
-let pixels job = float_of_int (width job * height job)
+let streams = Sampler.streams
+let fifths = List.init Fifth.count Fun.id
 
-let left job =
-  match job.target.left with Some left -> left () | None -> infinity
+let pixels job =
+  float_of_int (Window.width job.window * Window.height job.window)
 
-let upper job s = Sampling.upper ~confidence:job.target.confidence s.sampling
+let time_left { left; _ } =
+  match left with Some left -> left () | None -> infinity
 
-let is_met job s =
-  match (job.target.error, upper job s) with
-  | Some error, Some upper -> upper <= error
-  | Some _, None | None, _ -> false
+let left job = time_left job.target
+let ( let* ) = Option.bind
 
 (* {1 Passes} *)
 
-let count results =
-  let of_row n (r : Row.result) = n + Array.fold_left ( + ) 0 r.counts in
-  float_of_int (Array.fold_left of_row 0 results)
+let count rows =
+  float_of_int (Array.fold_left (fun n row -> n + Row.total row) 0 rows)
 
 let pass job s wanted =
   let before = left job in
-  let after results =
-    let taken = count results in
-    let more = taken -. s.taken in
-    let add sum (r : Row.result) = Sampling.join sum r.sampling in
+  let* () = job.pass wanted in
+  let taken = count job.rows in
+  let more = taken -. s.taken in
+  let rate =
+    if before < infinity && more > 0. then (before -. left job) /. more
+    else s.rate
+  in
+  Some { s with taken; rate }
+
+(* {1 Judges} *)
+
+let fewest = 100
+
+let judges job fifth =
+  if pixels job < float_of_int fewest then fifths
+  else
+    let a, b = Fifth.judges fifth in
+    [ a; b ]
+
+let is_going s fifth =
+  match s.fates.(fifth) with Going -> true | Stopped _ -> false
+
+(* Its samples have a say in what is still going on. *)
+let is_needed job s fifth =
+  let asks other = is_going s other && List.mem fifth (judges job other) in
+  is_going s fifth || List.exists asks fifths
+
+let sampling job fifths =
+  let of_row sum row =
+    List.fold_left
+      (fun sum fifth -> Sampling.join sum (Row.of_fifth row fifth))
+      sum fifths
+  in
+  Array.fold_left of_row Sampling.none job.rows
+
+(* What the judges' pixels say of a picture all of which is like them. *)
+let judged job fifth =
+  let judges = judges job fifth in
+  let share = float_of_int (List.length judges) /. float_of_int Fifth.count in
+  Sampling.times (1. /. share) (sampling job judges)
+
+let is_small_enough job sampling =
+  match job.target.error with
+  | None -> false
+  | Some error -> (
+      match Sampling.upper ~confidence:job.target.confidence sampling with
+      | Some upper -> upper <= error
+      | None -> false)
+
+let results job = Array.map Row.result job.rows
+
+(* A pixel that is not finite stays so. *)
+let judge job s =
+  let results = lazy (results job) in
+  let of_fifth fifth = function
+    | Stopped _ as fate -> fate
+    | Going ->
+        let judged = judged job fifth in
+        let met = is_small_enough job judged in
+        let hopeless = s.base >= streams && Sampling.tells_nothing judged in
+        if met || hopeless || s.full.(fifth) then
+          Stopped { results = Lazy.force results; met }
+        else Going
+  in
+  { s with fates = Array.mapi of_fifth s.fates }
+
+(* {1 The end} *)
+
+(* Beyond reasonable doubt. *)
+let conviction = 0.99
+
+let is_contradicted job results =
+  let add sum r = Sampling.join sum (Row.sampling r) in
+  let all = Array.fold_left add Sampling.none results in
+  let interval = Sampling.interval ~confidence:conviction all in
+  match (job.target.error, interval) with
+  | Some error, Some { low; _ } -> low > error
+  | Some _, None -> true
+  | None, _ -> false
+
+let ending job s results =
+  let met = function Stopped { met; _ } -> met | Going -> false in
+  if List.exists (is_going s) fifths then Out_of_time
+  else if not (Array.for_all met s.fates) then Out_of_samples
+  else if is_contradicted job results then Misjudged
+  else Met
+
+let finish job s =
+  let last = results job in
+  let of_fifth y fifth =
+    match s.fates.(fifth) with
+    | Going -> last.(y)
+    | Stopped { results; _ } -> results.(y)
+  in
+  let results =
+    Array.mapi (fun y row -> Row.of_fifths row (of_fifth y)) job.rows
+  in
+  Some
+    { results; ending = ending job s results; forecasts = List.rev s.forecasts }
+
+(* {1 Rungs} *)
+
+let per_doubling = 8
+
+let mean_of_rung rung =
+  float_of_int streams
+  *. Float.exp2 (float_of_int rung /. float_of_int per_doubling)
+
+(* The base is this share of all samples, or down to half of it. *)
+let base_share = 0.5
+
+let base_of_mean mean =
+  let rec double n =
+    let twice = 2 * n in
+    if float_of_int twice <= base_share *. mean then double twice else n
+  in
+  double streams
+
+(* {1 The base} *)
+
+let squares job ~base x y =
+  Row.squares job.rows.(y - job.window.y0) ~samples:base (x - job.window.x0)
+
+let work job x y =
+  Float.max 1. (Row.work job.rows.(y - job.window.y0) (x - job.window.x0))
+
+let sum_of_squares job ~base =
+  (* Local mutation: a sum over pixels. *)
+  let sum = ref 0. in
+  for y = job.window.y0 to job.window.y1 - 1 do
+    for x = job.window.x0 to job.window.x1 - 1 do
+      sum := !sum +. squares job ~base x y
+    done
+  done;
+  !sum
+
+(* Mean square errors go as n^-law, if known. A noisy estimate of it should not
+   promise what is rare. *)
+let law s =
+  if s.before > 0. && s.squares > 0. then
+    Some (Float.max 1. (Float.min 1.5 (Float.log2 (s.before /. s.squares))))
+  else None
+
+(* All pixels have as many; with four, they say how the others are shared out. *)
+let lay job s base =
+  let* s = pass job s (fun _ _ -> base) in
+  let at x y = if base < streams then 1. else squares job ~base x y in
+  let cost = work job in
+  Some
     {
       s with
-      results;
-      sampling = Array.fold_left add Sampling.none results;
-      taken;
-      rate =
-        (if before < infinity && more > 0. then (before -. left job) /. more
-         else s.rate);
+      mean = Float.max s.mean (float_of_int base);
+      base;
+      allocation = Allocation.make job.window ~base ~cost at;
+      squares = sum_of_squares job ~base;
+      before = s.squares;
     }
+
+(* {1 The others} *)
+
+let share_out job s mean =
+  let most = job.target.most and a = s.allocation in
+  let scale fifth = Allocation.for_mean a (Fifth fifth) ~most mean in
+  let scales = Array.init Fifth.count scale in
+  let full fifth scale =
+    let reached = Allocation.mean a (Fifth fifth) ~scale ~most in
+    reached < mean *. (1. -. 0x1p-20)
+  and needed = Array.init Fifth.count (is_needed job s) in
+  let* s =
+    pass job s (fun x y ->
+        let fifth = Fifth.of_pixel x y in
+        if needed.(fifth) then
+          Allocation.samples a ~scale:scales.(fifth) ~most x y
+        else 0)
   in
-  Option.map after (job.pass wanted)
-
-(* Independent samples have law 1, those that fill their space evenly more; a
-   noisy estimate of it should not promise what is rare. *)
-let law_between before after =
-  let ratio = float_of_int after.base /. float_of_int before.base in
-  match
-    (Sampling.mean_square before.sampling, Sampling.mean_square after.sampling)
-  with
-  | Some a, Some b when a > 0. && b > 0. && ratio > 1. ->
-      Float.max 1. (Float.min 1.5 (Float.log (a /. b) /. Float.log ratio))
-  | (Some _ | None), (Some _ | None) -> before.law
-
-let lay job s base =
-  let after next =
-    let next = { next with base; evenly = true } in
-    { next with law = law_between s next }
-  in
-  Option.map after (pass job s (fun _ _ -> base))
-
-(* {1 How many samples are wanted} *)
-
-let allocation job s =
-  let squares x y =
-    if s.base < Sampler.streams then 1.
-    else
-      let row = job.rows.(y) in
-      let more = float_of_int (Row.samples row x) /. float_of_int s.base in
-      Sampling.squares (Row.sampling row x) *. (more ** s.law)
-  in
-  Allocation.make ~width:(width job) ~height:(height job) ~base:s.base squares
-
-(* The share of the mean square error that may be left. *)
-let share_wanted job s error =
-  match upper job s with
-  | Some upper when upper > 0. -> error *. error /. (upper *. upper)
-  | Some _ | None -> 0.
-
-let scale_for_error job s allocation =
-  match job.target.error with
-  | None -> infinity
-  | Some error ->
-      Allocation.for_error allocation ~law:s.law ~most:job.target.most
-        (share_wanted job s error)
-
-(* The scale that takes a share of the time that is left. *)
-let scale_for_time job s allocation ~share =
-  let left = left job in
-  if left = infinity then infinity
-  else
-    let more = if left > 0. then share *. left /. s.rate else 0. in
-    Allocation.for_total allocation ~most:job.target.most (s.taken +. more)
+  Some (judge job { s with mean; full = Array.mapi full scales })
 
 (* {1 Forecasts} *)
 
-let spread s =
-  match
-    (Sampling.rms s.sampling, Sampling.interval ~confidence:0.95 s.sampling)
-  with
-  | Some rms, Some { high; _ } when rms > 0. -> (high /. rms) ** (2. /. s.law)
-  | (Some _ | None), (Some _ | None) -> 2.
+(* The allocation knows how errors fall from here. *)
+let total_for_error job s sampling error =
+  let { confidence; most; _ } = job.target in
+  let a = s.allocation and law = Option.value (law s) ~default:1. in
+  match Sampling.upper ~confidence sampling with
+  | Some upper when upper > 0. ->
+      let scale = Allocation.for_mean a All ~most (s.taken /. pixels job) in
+      let now = Allocation.error a All ~law ~scale ~most in
+      let share = now *. error *. error /. (upper *. upper) in
+      let scale = Allocation.for_error a All ~law ~most share in
+      Allocation.mean a All ~scale ~most *. pixels job
+  | Some _ | None -> s.taken
 
-(* [total] was reckoned with the law of [s]. *)
-let total_by s ~total law =
-  if total > s.taken && s.taken > 0. then
-    s.taken *. ((total /. s.taken) ** (s.law /. law))
-  else total
-
-(* Before the law was measured it may be almost any, and the least samples often
-   miss what makes the error: so it is more likely larger than they say than
-   smaller. *)
-let forecast job s ~total =
-  let total = Float.max s.taken total in
-  let spread = spread s and by = total_by s ~total in
-  let total, low, high =
-    if Option.is_none job.target.error then
-      (total, total /. spread, total *. spread)
-    else if s.base > Sampler.streams then
-      let flat = Float.max 1. (s.law -. 0.25) in
-      (by s.law, by (s.law +. 0.25) /. spread, by flat *. spread)
-    else (by 1.25, by 2. /. spread, by 1. *. (spread ** 3.))
+let next_rung job total =
+  let rec from rung =
+    let mean = mean_of_rung rung *. pixels job in
+    if mean >= total || rung > Sys.int_size * per_doubling then mean
+    else from (rung + 1)
   in
-  let f = { taken = s.taken; total; low = Float.max s.taken low; high } in
+  from 0
+
+(* As many as there is time for. *)
+let samples_left job s =
+  let left = left job in
+  if left > 0. then left /. s.rate else 0.
+
+let forecast job s =
+  let all = sampling job fifths and taken = s.taken in
+  let f =
+    match job.target.error with
+    | Some error ->
+        let total = next_rung job (total_for_error job s all error) in
+        Forecast.for_error ~law:(law s) all ~taken total
+    | None -> Forecast.for_time all ~taken (taken +. samples_left job s)
+  in
   job.expect f;
   { s with forecasts = f :: s.forecasts }
 
 (* {1 The way to the target} *)
 
-let finish (s : state) ending =
-  Some { results = s.results; ending; forecasts = List.rev s.forecasts }
+let is_done job s =
+  (* Less time is not worth another pass. *)
+  let enough = 0.01 in
+  let is_over = job.allowed < infinity && left job <= enough *. job.allowed in
+  is_over || not (List.exists (is_going s) fifths)
 
-let ( let* ) = Option.bind
+(* The samples a pixel that there is time for, if a share of it is spent. *)
+let affordable job s ~share =
+  (Float.min (s.mean *. pixels job) s.taken +. (share *. samples_left job s))
+  /. pixels job
 
-(* By how much all shares must grow if the target was missed. *)
-let growth job s =
-  match job.target.error with
-  | None -> infinity
-  | Some error ->
-      let share = share_wanted job s error in
-      if share > 0. then Float.max 1.01 (share ** (-1. /. s.law)) else 2.
+(* How long samples take is known when some are taken: so not all the time that
+   is left at once, and less before those that go where they are needed. *)
+let most_of_it = 0.8
+let some_of_it = 0.25
 
-(* Less time than this is not worth another pass. *)
-let enough_time = 0.01
-
-(* What few samples say is doubtful, and samples that fill their space evenly
-   are worth more than they say: so most of what seems to be missing is taken,
-   and looked at. *)
-let step = 0.6
-
-let step_towards job s allocation ~total ~scale =
-  let missing = total -. s.taken in
-  if missing <= (1. -. step) *. s.taken then scale
+(* What is left of the time. *)
+let rec spend job s ~share =
+  if is_done job s then finish job s
   else
-    Allocation.for_total allocation ~most:job.target.most
-      (s.taken +. (step *. missing))
-
-(* The base is this share of all samples, or down to half of it. *)
-let base_share = 0.5
-
-let next_base job s ~wanted =
-  let goal =
-    Float.min
-      (base_share *. wanted /. pixels job)
-      (float_of_int job.target.most)
-  in
-  let rec double n =
-    if float_of_int (2 * n) <= goal then double (2 * n) else n
-  in
-  Int.min (4 * s.base) (double s.base)
-
-(* Not all the time that is left at once. Samples that go where they are needed
-   may take much longer than others: how long is known when some are taken. *)
-let time_share s = if s.evenly then 0.25 else 0.8
-
-(* If more than so many times the samples are still missing, the allocation does
-   not know where the error is: a pixel unlike all its neighbours, who ask for
-   nothing, has what every pixel has. *)
-let missed = 2.
-
-let raise_base job s =
-  let base = Int.min (2 * s.base) (Int.max s.base job.target.most) in
-  Option.map
-    (fun s -> { s with base; evenly = true })
-    (pass job s (fun _ _ -> base))
-
-(* [allowed] is how many seconds there were in the beginning. *)
-let rec spend job s allocation ~scale ~allowed =
-  if is_met job s then finish s Met
-  else if allowed < infinity && left job <= enough_time *. allowed then
-    finish s Out_of_time
-  else
-    let most = job.target.most in
-    let in_time = scale_for_time job s allocation ~share:(time_share s) in
-    let expected =
-      Allocation.total allocation ~scale:(Float.min scale in_time) ~most
-    in
-    let s = forecast job s ~total:expected in
-    let scale =
-      if scale < infinity then
-        step_towards job s allocation ~total:expected ~scale
-      else scale
-    in
-    let scale = Float.min scale in_time in
     let before = s.taken in
-    let* s = pass job s (Allocation.samples allocation ~scale ~most) in
-    let s = { s with evenly = false } in
-    let growth = growth job s in
-    if s.taken > before && growth > missed && scale < in_time then
-      let* s = raise_base job s in
-      lay_base job s ~allowed
-    else if s.taken > before then
-      spend job s allocation ~scale:(scale *. growth) ~allowed
-    else if left job < infinity then finish s Out_of_time
-    else finish s Out_of_samples
+    let* s = share_out job s (affordable job s ~share) in
+    if s.taken > before then spend job s ~share:most_of_it else finish job s
 
-and lay_base job s ~allowed =
-  if is_met job s then finish s Met
+(* Until the error is small enough. *)
+let rec climb job s ~rung =
+  if is_done job s then finish job s
   else
-    let allocation = allocation job s in
-    let scale =
-      Float.min
-        (scale_for_error job s allocation)
-        (scale_for_time job s allocation ~share:1.)
-    in
-    let wanted = Allocation.total allocation ~scale ~most:job.target.most in
-    let base = next_base job s ~wanted in
-    if base > s.base then
-      let* s = lay job (forecast job s ~total:wanted) base in
-      lay_base job s ~allowed
-    else spend job s allocation ~scale ~allowed
+    let rung = rung + 1 in
+    let mean = mean_of_rung rung in
+    if affordable job s ~share:most_of_it < mean then
+      spend job s ~share:most_of_it
+    else
+      let s = forecast job s in
+      let base = base_of_mean mean in
+      let* s =
+        if s.base < base && base <= job.target.most then lay job s base
+        else Some s
+      in
+      let* s = share_out job s mean in
+      climb job s ~rung
 
-let start =
+(* While there is time for a larger base, for those who ask for no error. *)
+let rec broaden job s =
+  let base = 2 * s.base and s = forecast job s in
+  let affordable = affordable job s ~share:1. in
+  let fits = float_of_int base <= base_share *. affordable in
+  let has_error = s.squares > 0. in
+  if fits && has_error && base <= job.target.most then
+    let* s = lay job s base in
+    broaden job s
+  else spend job s ~share:some_of_it
+
+let start job =
   {
-    results = [||];
+    mean = 0.;
     base = 0;
-    sampling = Sampling.none;
-    law = 1.;
+    allocation =
+      Allocation.make job.window ~base:1 ~cost:(fun _ _ -> 1.) (fun _ _ -> 1.);
+    squares = nan;
+    before = nan;
+    full = Array.make Fifth.count false;
+    fates = Array.make Fifth.count Going;
     taken = 0.;
     rate = 0.;
-    evenly = true;
     forecasts = [];
   }
 
 (* The first sample tells how long samples take; the fourth, the error. *)
-let run rows target ~pass ~expect =
-  let job = { rows; target; pass; expect } in
-  let allowed = left job in
-  let* s = lay job start 1 in
-  let streams = Sampler.streams in
-  let fits = left job >= float_of_int (streams - 1) *. pixels job *. s.rate in
-  if target.most >= streams && fits then
+let run window rows target ~pass ~expect =
+  let job =
+    { window; rows; target; pass; expect; allowed = time_left target }
+  in
+  let* s = lay job (start job) 1 in
+  let more = float_of_int (streams - 1) *. pixels job in
+  if target.most >= streams && left job >= more *. s.rate then
     let* s = lay job s streams in
-    lay_base job s ~allowed
-  else lay_base job s ~allowed
+    if Option.is_some target.error then climb job (judge job s) ~rung:0
+    else broaden job s
+  else spend job s ~share:most_of_it

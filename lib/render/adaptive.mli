@@ -1,10 +1,18 @@
 (** Samples where they lower the error of the displayed picture most, until it
     is small enough or time is up.
 
-    First all pixels are given the same number of samples, a share of those that
-    the target is going to need. They tell, once, how the others are given out:
-    see {!Allocation}. If in the end the target is missed by a little, all
-    shares grow alike. *)
+    The number of all samples climbs a ladder whose rungs no sample has a say
+    in: four a pixel, and then more by 2{^ 1/8} each. Up to half of them go to
+    all pixels alike, the others where {!Allocation} says. A {!Fifth} stops at
+    the first rung at which its judges' pixels, as they stand there, show an
+    error that is small enough for the whole picture, and stays as it is; others
+    may go on for a while.
+
+    {b Law.} The mean of such pictures, over seeds, is the mean of all samples:
+    how many a pixel has is a function of the samples of other fifths. Those of
+    a fifth ask their judges, for shares and for the end; these ask theirs for
+    shares only, and by what they showed when all pixels had the same number;
+    and no judge's judge is the fifth again. *)
 
 type target = {
   error : float option;
@@ -15,33 +23,34 @@ type target = {
   most : int;  (** samples per pixel, at least 1 *)
 }
 
-type forecast = {
-  taken : float;  (** samples that the whole picture had when it was made *)
-  total : float;  (** that it is going to have *)
-  low : float;
-  high : float;  (** with 95 % confidence between these *)
-}
-
 (** Why it ended. *)
 type ending =
   | Met  (** the error is met *)
+  | Misjudged
+      (** all judges said so, but together the pixels say, with 99 % confidence,
+          that their error is larger *)
   | Out_of_time
   | Out_of_samples  (** all pixels that seem to have an error have the most *)
 
 type outcome = {
   results : Row.result array;
   ending : ending;
-  forecasts : forecast list;  (** first to last *)
+  forecasts : Forecast.t list;  (** first to last *)
 }
 
+val fewest : int
+(** [fewest] is how many pixels are enough to judge each other. Fewer are judged
+    together: their mean is right only nearly. *)
+
 val run :
+  Window.t ->
   Row.t array ->
   target ->
-  pass:((int -> int -> int) -> Row.result array option) ->
-  expect:(forecast -> unit) ->
+  pass:((int -> int -> int) -> unit option) ->
+  expect:(Forecast.t -> unit) ->
   outcome option
-(** [run rows target ~pass ~expect] takes samples of [rows], which have none.
-    [pass f] gives pixel (x, y) of them [f x y] samples and says what they say
-    then, or is [None] if it was stopped; so is the outcome. [expect] is told
-    each forecast. Without [left] all is a function of the scene and the target.
-*)
+(** [run window rows target ~pass ~expect] takes samples of [rows], which are
+    the window's and have none. [pass f] gives each pixel (x, y) its first
+    [f x y] samples, or is [None] if it was stopped; so is the outcome. [expect]
+    is told each forecast. Without [left] all is a function of the scene and the
+    target. *)

@@ -1,76 +1,164 @@
 open Candor_sample
 
-type t = {
-  width : int;
-  base : int;
-  deviations : floatarray; (* √v of each pixel *)
+type part = All | Fifth of int
+
+type likes = {
+  pixels : float;
   classes : (float * float * float) list;
-      (* of like pixels, by their √v: that, their number, the sum of v *)
+      (* of pixels that are alike, by their √(v/c): that, their number, the sum
+         of v *)
 }
+
+type t = {
+  window : Window.t;
+  base : int;
+  deviations : floatarray; (* √(v/c) of each pixel *)
+  fifths : likes array;
+  all : likes;
+}
+
+let place (w : Window.t) i =
+  let width = Window.width w in
+  (w.x0 + (i mod width), w.y0 + (i / width))
+
+let index (w : Window.t) x y = ((y - w.y0) * Window.width w) + x - w.x0
+
+(* Of the pixels of each fifth. *)
+let indices window =
+  let lists = Array.make Fifth.count [] in
+  for i = (Window.width window * Window.height window) - 1 downto 0 do
+    let x, y = place window i in
+    let fifth = Fifth.of_pixel x y in
+    lists.(fifth) <- i :: lists.(fifth)
+  done;
+  lists
 
 (* {1 What neighbours know} *)
 
-(* Binomial weights of five pixels each way. *)
-let weights = [| 1.; 4.; 6.; 4.; 1. |]
-let reach = 2
+(* Those of some judges, with binomial weights of five pixels each way. *)
+let neighbours judges =
+  let weights = [| 1.; 4.; 6.; 4.; 1. |] and reach = 2 in
+  let steps = List.init 5 (fun i -> i - reach) in
+  let at dy dx = (dx, dy, weights.(dx + reach) *. weights.(dy + reach)) in
+  List.concat_map (fun dy -> List.map (at dy) steps) steps
+  |> List.filter (fun (dx, dy, _) -> List.mem (Fifth.of_pixel dx dy) judges)
+  |> Array.of_list
 
-(* The weighted mean of the values around (x, y), without its own. *)
-let around ~width ~height values x y =
-  let rec across j i ((sum, all) as sums) =
-    if i > reach then sums
-    else
-      let x = x + i and y = y + j in
-      let inside = 0 <= x && x < width && 0 <= y && y < height in
-      if (not inside) || (i = 0 && j = 0) then across j (i + 1) sums
-      else
-        let w = weights.(i + reach) *. weights.(j + reach) in
-        let v = Float.Array.get values ((y * width) + x) in
-        across j (i + 1) (sum +. (w *. v), all +. w)
+(* The weighted means of the values around each pixel, 1 where there are none. *)
+let smooth (w : Window.t) values judges =
+  let neighbours = neighbours judges in
+  let around i =
+    let x, y = place w i in
+    (* Local mutation: two sums. *)
+    let sum = ref 0. and all = ref 0. in
+    for k = 0 to Array.length neighbours - 1 do
+      let dx, dy, weight = neighbours.(k) in
+      let x = x + dx and y = y + dy in
+      if w.x0 <= x && x < w.x1 && w.y0 <= y && y < w.y1 then (
+        sum := !sum +. (weight *. Float.Array.get values (index w x y));
+        all := !all +. weight)
+    done;
+    if !all > 0. then !sum /. !all else 1.
   in
-  let rec down j sums =
-    if j > reach then sums else down (j + 1) (across j (-reach) sums)
+  Float.Array.init (Float.Array.length values) around
+
+(* {1 What to believe of it} *)
+
+let mean_over indices f =
+  let sum = List.fold_left (fun sum i -> sum +. f i) 0. indices in
+  sum /. Float.max 1. (float_of_int (List.length indices))
+
+(* How much of what sets these pixels apart is more than chance: what either
+   judge says of them are two measurements of the same, and the mean of both is
+   as reliable as follows from how far they agree (C. Spearman, Correlation
+   Calculated from Faulty Data, British Journal of Psychology 3(3), 1910). *)
+let reliability indices a b =
+  let centred values =
+    let get = Float.Array.get values in
+    let mean = mean_over indices get in
+    fun i -> get i -. mean
   in
-  let sum, all = down (-reach) (0., 0.) in
-  if all > 0. then sum /. all else 1.
+  let a = centred a and b = centred b in
+  let product f g = mean_over indices (fun i -> f i *. g i) in
+  let scatter = sqrt (product a a *. product b b) in
+  if scatter > 0. then
+    let r = Float.max 0. (product a b /. scatter) in
+    2. *. r /. (1. +. r)
+  else 1.
+
+(* As far as it is reliable; for the rest, pixels are alike. *)
+let believed indices deviations (a, b) =
+  let get = Float.Array.get deviations in
+  (* Local mutation: filled here. *)
+  let result = Float.Array.copy deviations in
+  let of_fifth indices =
+    let share = reliability indices a b and mean = mean_over indices get in
+    let believe i =
+      Float.Array.set result i (mean +. (share *. (get i -. mean)))
+    in
+    List.iter believe indices
+  in
+  Array.iter of_fifth indices;
+  result
 
 (* {1 Classes of like pixels} *)
 
-let per_octave = 16.
+let per_octave = 8.
+let class_of d = int_of_float (Float.floor (per_octave *. Float.log2 d))
 
-let classify values =
-  (* Local mutation: the table is filled here. *)
-  let table = Hashtbl.create 256 in
-  let add v =
-    if v > 0. then
-      let key = int_of_float (Float.floor (per_octave *. Float.log2 v)) in
-      let n, sum = Option.value (Hashtbl.find_opt table key) ~default:(0, 0.) in
-      Hashtbl.replace table key (n + 1, sum +. v)
+let enter table key (n, d, v) =
+  let n', d', v' =
+    Option.value (Hashtbl.find_opt table key) ~default:(0., 0., 0.)
   in
-  Float.Array.iter add values;
-  let of_class (_, (n, sum)) =
-    let n = float_of_int n in
-    (sqrt (sum /. n), n, sum)
-  in
-  Hashtbl.to_seq table |> List.of_seq
-  |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
-  |> List.map of_class
+  Hashtbl.replace table key (n +. n', d +. d', v +. v')
 
-let make ~width ~height ~base f =
-  let value i =
-    let v = f (i mod width) (i / width) in
-    if Float.is_finite v then v else 0.
+let likes pixels table =
+  let classes =
+    Hashtbl.to_seq table |> List.of_seq
+    |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
+    |> List.map (fun (_, (n, d, v)) -> (d /. n, n, v))
   in
-  let values = Float.Array.init (width * height) value in
-  let smooth =
-    Float.Array.init (width * height) (fun i ->
-        around ~width ~height values (i mod width) (i / width))
+  { pixels = float_of_int pixels; classes }
+
+(* Local mutation: tables are filled here. *)
+let classify window ~squares deviations =
+  let table _ = Hashtbl.create 256 in
+  let tables = Array.init Fifth.count table and all = table () in
+  let pixels = Array.make Fifth.count 0 in
+  let add i d =
+    let x, y = place window i in
+    let fifth = Fifth.of_pixel x y in
+    pixels.(fifth) <- pixels.(fifth) + 1;
+    if d > 0. then
+      enter tables.(fifth) (class_of d) (1., d, Float.Array.get squares i)
   in
-  {
-    width;
-    base;
-    deviations = Float.Array.map sqrt smooth;
-    classes = classify smooth;
-  }
+  Float.Array.iteri add deviations;
+  Array.iter (Hashtbl.iter (enter all)) tables;
+  (Array.map2 likes pixels tables, likes (Float.Array.length deviations) all)
+
+let make window ~base ~cost f =
+  let over value =
+    Float.Array.init
+      (Window.width window * Window.height window)
+      (fun i ->
+        let x, y = place window i in
+        value x y)
+  in
+  let finite v = if Float.is_finite v then v else 0. in
+  let values = over (fun x y -> finite (f x y)) in
+  let first, second = Fifth.judges 0 in
+  let both = [ first; second ] in
+  let costs = smooth window (over cost) both in
+  let deviations judges =
+    let deviation v c = sqrt (v /. c) in
+    Float.Array.map2 deviation (smooth window values judges) costs
+  in
+  let deviations =
+    believed (indices window) (deviations both)
+      (deviations [ first ], deviations [ second ])
+  and squares = smooth window values both in
+  let fifths, all = classify window ~squares deviations in
+  { window; base; deviations; fifths; all }
 
 (* {1 Samples} *)
 
@@ -81,7 +169,7 @@ let real a ~scale ~most deviation =
 
 (* Streams that fill their space evenly do so best with powers of two. *)
 let samples a ~scale ~most x y =
-  let deviation = Float.Array.get a.deviations ((y * a.width) + x) in
+  let deviation = Float.Array.get a.deviations (index a.window x y) in
   let n = real a ~scale ~most deviation in
   let chance = Key.float (Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film) in
   let rec between low =
@@ -94,26 +182,36 @@ let samples a ~scale ~most x y =
   in
   between a.base
 
-let total a ~scale ~most =
+(* {1 Together} *)
+
+let likes a = function All -> a.all | Fifth i -> a.fifths.(i)
+
+let mean_of a likes ~scale ~most =
   let base = float_of_int a.base in
   let more (deviation, n, _) = n *. (real a ~scale ~most deviation -. base) in
-  let least = base *. float_of_int (Float.Array.length a.deviations) in
-  List.fold_left (fun sum c -> sum +. more c) least a.classes
+  let more = List.fold_left (fun sum c -> sum +. more c) 0. likes.classes in
+  base +. (more /. Float.max 1. likes.pixels)
 
-let error a ~law ~scale ~most =
+let error_of a likes ~law ~scale ~most =
   let base = float_of_int a.base in
   let left (deviation, _, v) =
     v *. ((base /. real a ~scale ~most deviation) ** law)
   in
-  let sum f = List.fold_left (fun sum c -> sum +. f c) 0. a.classes in
+  let sum f = List.fold_left (fun sum c -> sum +. f c) 0. likes.classes in
   let all = sum (fun (_, _, v) -> v) in
   if all > 0. then sum left /. all else 0.
 
+let mean a part = mean_of a (likes a part)
+let error a part = error_of a (likes a part)
+
 (* {1 Scales} *)
+
+(* More would not tell scales apart. *)
+let halvings = 32
 
 (* The least scale that is [enough], between one that changes nothing and one
    that gives all pixels with an error the most. *)
-let search a ~most enough =
+let search a likes ~most enough =
   let rec between low high n =
     if n = 0 then high
     else
@@ -121,16 +219,19 @@ let search a ~most enough =
       if enough middle then between low middle (n - 1)
       else between middle high (n - 1)
   in
-  match (a.classes, List.rev a.classes) with
+  match (likes.classes, List.rev likes.classes) with
   | (least, _, _) :: _, (largest, _, _) :: _ ->
       between
         (float_of_int a.base /. largest)
         (2. *. float_of_int most /. least)
-        60
+        halvings
   | [], _ | _, [] -> 0.
 
-let for_error a ~law ~most share =
-  search a ~most (fun scale -> error a ~law ~scale ~most <= share)
+let for_mean a part ~most n =
+  let likes = likes a part in
+  search a likes ~most (fun scale -> mean_of a likes ~scale ~most >= n)
 
-let for_total a ~most n =
-  search a ~most (fun scale -> total a ~scale ~most >= n)
+let for_error a part ~law ~most share =
+  let likes = likes a part in
+  search a likes ~most (fun scale ->
+      error_of a likes ~law ~scale ~most <= share)

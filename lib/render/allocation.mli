@@ -1,21 +1,26 @@
 (** Where samples lower the error of a picture most.
 
     The mean square error of a picture is a sum over pixels of v / n^β, n the
-    pixel's number of samples: for a given number of samples it is least when n
-    goes as √v (for β = 1; J. Neyman,
+    pixel's number of samples, and what they cost is a sum of c·n: for a given
+    cost it is least when n goes as √(v/c) (for β = 1; J. Neyman,
     {e On the Two Different Aspects of the Representative Method}, Journal of
     the Royal Statistical Society 97(4), 1934).
 
-    Each pixel is given as many samples as its neighbours ask for, itself left
-    out: so how many it has tells nothing of what they are, and their mean is
-    right on average. *)
+    Each pixel is given as many samples as those of its neighbours ask for that
+    belong to the judges of its {!Fifth}, and so is each fifth as a whole. What
+    these say is believed as far as both judges agree. *)
 
 type t
 
-val make : width:int -> height:int -> base:int -> (int -> int -> float) -> t
-(** [make ~width ~height ~base f]: every pixel has [base] samples, [f x y] is
-    the squared error that this leaves in pixel (x, y); what is not finite
-    counts as 0. *)
+val make :
+  Window.t ->
+  base:int ->
+  cost:(int -> int -> float) ->
+  (int -> int -> float) ->
+  t
+(** [make window ~base ~cost f]: [f x y] is the squared error that [base]
+    samples leave in pixel (x, y) of the window, [cost x y] > 0 what one more of
+    them costs; an error that is not finite counts as 0. *)
 
 val samples : t -> scale:float -> most:int -> int -> int -> int
 (** [samples a ~scale ~most x y] is what pixel (x, y) should have: [base] at
@@ -23,18 +28,23 @@ val samples : t -> scale:float -> most:int -> int -> int -> int
     power of two, or [most]: of the two nearest one at random, by the pixel's
     place. *)
 
-val total : t -> scale:float -> most:int -> float
-(** [total a ~scale ~most] is how many samples that makes for all pixels, about.
-*)
+(** {1 Together} *)
 
-val error : t -> law:float -> scale:float -> most:int -> float
-(** [error a ~law ~scale ~most] is the mean square error that they leave, as a
-    share of the one that [base] samples leave. [law] is β. *)
+(** Of which pixels: *)
+type part = All | Fifth of int
 
-val for_error : t -> law:float -> most:int -> float -> float
-(** [for_error a ~law ~most share] is the scale whose {!error} is [share], or
-    the greatest that changes anything. *)
+val mean : t -> part -> scale:float -> most:int -> float
+(** [mean a part ~scale ~most] is how many samples that makes for each pixel of
+    the part, on average, about. *)
 
-val for_total : t -> most:int -> float -> float
-(** [for_total a ~most n] is the scale whose {!total} is [n], or the greatest
+val error : t -> part -> law:float -> scale:float -> most:int -> float
+(** [error a part ~law ~scale ~most] is the mean square error that they leave,
+    as a share of the one that [base] samples leave. [law] is β. *)
+
+val for_mean : t -> part -> most:int -> float -> float
+(** [for_mean a part ~most n] is the scale whose {!mean} is [n], or the greatest
     that changes anything. *)
+
+val for_error : t -> part -> law:float -> most:int -> float -> float
+(** [for_error a part ~law ~most share] is the scale whose {!error} is [share],
+    or the greatest that changes anything. *)

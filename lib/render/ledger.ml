@@ -46,6 +46,7 @@ let target (r : Render.report) =
       let says word = Printf.sprintf "   target %.4g %s" error word in
       match ending with
       | Met -> says "met"
+      | Misjudged -> says "missed: parts of the picture misjudged each other"
       | Out_of_time -> says "missed: out of time"
       | Out_of_samples -> says "missed: out of samples")
 
@@ -160,7 +161,7 @@ let json_sampling ~confidence (r : Render.report) =
         let met =
           match ending with
           | Met -> true
-          | Out_of_time | Out_of_samples -> false
+          | Misjudged | Out_of_time | Out_of_samples -> false
         in
         [ ("target", Json.Float error); ("met", Bool met) ]
   in

@@ -31,7 +31,7 @@ let of_parts ~count ~seconds =
         high = Float.max share (share_if (mean -. (2. *. deviation)));
       }
 
-let of_forecast ~taken (f : Adaptive.forecast) =
+let of_forecast ~taken (f : Forecast.t) =
   let of_total total = if total > 0. then clamp (taken /. total) else 0. in
   { share = of_total f.total; low = of_total f.high; high = of_total f.low }
 

@@ -12,7 +12,7 @@ val of_parts : count:int -> seconds:float list -> t
     of them, took these [seconds] each: the others will take as long on average,
     give or take what those differ by. *)
 
-val of_forecast : taken:float -> Adaptive.forecast -> t
+val of_forecast : taken:float -> Forecast.t -> t
 (** [of_forecast ~taken f] is when [taken] of the samples that [f] expects are
     there. *)
 

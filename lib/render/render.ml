@@ -11,7 +11,7 @@ type samples =
 type aim = {
   target : Adaptive.target;
   ending : Adaptive.ending;
-  forecasts : Adaptive.forecast list;
+  forecasts : Forecast.t list;
 }
 
 type report = {
@@ -85,16 +85,18 @@ let adaptive job target =
     | Some forecast ->
         job.progress (Pace.of_forecast ~taken:(float_of_int taken) forecast)
   in
+  let { Window.x0; y0; _ } = job.window in
   let pass wanted =
-    parallel job (fun i ->
-        let row = rows.(i) in
-        let before = Row.total row in
-        Row.take job.pixel row (fun x -> wanted x i);
-        let result = Row.result row in
-        note (Row.total row - before);
-        result)
+    let take i =
+      let row = rows.(i) in
+      let before = Row.total row in
+      Row.take job.pixel row (fun k -> wanted (x0 + k) (y0 + i));
+      note (Row.total row - before)
+    in
+    Option.map (fun (_ : unit array) -> ()) (parallel job take)
   in
-  Adaptive.run rows target ~pass ~expect:(fun f -> Atomic.set expected (Some f))
+  Adaptive.run job.window rows target ~pass ~expect:(fun f ->
+      Atomic.set expected (Some f))
 
 (* {1 Reports} *)
 
@@ -114,7 +116,7 @@ let report (job : job) (scene : Scene.t) ~seconds ~aim results =
         (rows (fun (r : Row.result) -> r.counts));
     sampling =
       List.fold_left
-        (fun sum (r : Row.result) -> Sampling.join sum r.sampling)
+        (fun sum r -> Sampling.join sum (Row.sampling r))
         Sampling.none list;
     aim;
     seconds;

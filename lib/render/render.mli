@@ -15,7 +15,7 @@ type samples =
 type aim = {
   target : Adaptive.target;
   ending : Adaptive.ending;
-  forecasts : Adaptive.forecast list;
+  forecasts : Forecast.t list;
 }
 (** How an adaptive render went. *)
 

@@ -1,4 +1,5 @@
 open Candor_colour
+open Candor_sample
 open Candor_effect
 open Candor_trace
 
@@ -9,6 +10,10 @@ type t = {
   counts : int array;
   known : int array; (* of how many samples [sampling] is *)
   sampling : Sampling.t array;
+  history : floatarray array; (* squares after each doubling of four samples *)
+  fifths : Sampling.t array;
+  first : int array; (* samples taken when there were fewer than four *)
+  work : int array; (* rays and tests that these took *)
   left_out : floatarray; (* what was cut, as in Tally *)
   tally : Tally.t;
   mutable words : float;
@@ -23,64 +28,139 @@ let make ~x0 ~x1 y =
     counts = Array.make width 0;
     known = Array.make width 0;
     sampling = Array.make width Sampling.none;
+    history = Array.make Sys.int_size (Float.Array.create 0);
+    fifths = Array.make Fifth.count Sampling.none;
+    first = Array.make width 0;
+    work = Array.make width 0;
     left_out = Float.Array.make (3 * width) 0.;
     tally = Tally.make ();
     words = 0.;
   }
 
 let width row = Array.length row.counts
-let samples row i = row.counts.(i)
 let total row = Array.fold_left ( + ) 0 row.counts
+
+(* {1 Samples} *)
+
+(* How often four were doubled. *)
+let doublings samples =
+  let rec of_fours n k =
+    if n = 1 then Some k
+    else if n > 1 && n mod 2 = 0 then of_fours (n / 2) (k + 1)
+    else None
+  in
+  if samples mod Sampler.streams = 0 then of_fours (samples / Sampler.streams) 0
+  else None
+
+let squares row ~samples i =
+  match doublings samples with
+  | Some k when Float.Array.length row.history.(k) > 0 ->
+      Float.Array.get row.history.(k) i
+  | Some _ | None -> nan
+
+let remember row i ~samples x =
+  match doublings samples with
+  | None -> ()
+  | Some k ->
+      if Float.Array.length row.history.(k) = 0 then
+        row.history.(k) <- Float.Array.make (width row) nan;
+      Float.Array.set row.history.(k) i x
 
 let update row =
   for i = 0 to width row - 1 do
     let samples = row.counts.(i) in
     if samples > row.known.(i) then (
+      let sampling = Sampling.pixel row.sums (Pixel.slots * i) ~samples in
       row.known.(i) <- samples;
-      row.sampling.(i) <- Sampling.pixel row.sums (Pixel.slots * i) ~samples)
+      row.sampling.(i) <- sampling;
+      remember row i ~samples (Sampling.squares sampling))
   done
 
-let take pixel row want =
+let done_so_far (row : t) =
+  Tally.total_rays row.tally
+  + Candor_surface.Effort.tests (Tally.effort row.tally)
+
+(* Each pixel is taken to what it wants, but not past a doubling. *)
+let step pixel row wants =
   let before = Gc.minor_words () in
   for i = 0 to width row - 1 do
     let from = row.counts.(i) in
-    let until = Int.max from (want i) in
+    let until = Int.max from wants.(i) in
+    let until =
+      if from < Sampler.streams then until else Int.min until (2 * from)
+    in
+    let before = done_so_far row in
     Pixel.add pixel row.tally ~x:(row.x0 + i) ~y:row.y ~from ~until row.sums
       (Pixel.slots * i);
+    if from < Sampler.streams then (
+      row.first.(i) <- until;
+      row.work.(i) <- row.work.(i) + done_so_far row - before);
     Tally.move_left_out row.tally row.left_out (3 * i);
     row.counts.(i) <- until
   done;
   row.words <- row.words +. (Gc.minor_words () -. before);
   update row
 
-let sampling row i = row.sampling.(i)
+let sum_up row =
+  Array.fill row.fifths 0 Fifth.count Sampling.none;
+  for i = 0 to width row - 1 do
+    let fifth = Fifth.of_pixel (row.x0 + i) row.y in
+    row.fifths.(fifth) <- Sampling.join row.fifths.(fifth) row.sampling.(i)
+  done
+
+let take pixel row want =
+  let wants = Array.init (width row) want in
+  let rec climb () =
+    step pixel row wants;
+    if Array.exists2 (fun (want : int) n -> want > n) wants row.counts then
+      climb ()
+  in
+  climb ();
+  sum_up row
+
+let work (row : t) i =
+  float_of_int row.work.(i) /. float_of_int (Int.max 1 row.first.(i))
+
+let of_fifth (row : t) fifth = row.fifths.(fifth)
+
+(* {1 Results} *)
 
 type result = {
   pixels : floatarray;
   counts : int array;
   cut : floatarray;
-  sampling : Sampling.t;
+  fifths : Sampling.t array;
   non_finite : (int * int) option;
   tally : Tally.t;
   words : float;
 }
 
-let mean (row : t) i =
-  Pixel.mean row.sums (Pixel.slots * i) ~samples:row.counts.(i)
+let sampling r = Array.fold_left Sampling.join Sampling.none r.fifths
+
+let set_rgb a i (c : Rgb.t) =
+  Float.Array.set a (3 * i) c.r;
+  Float.Array.set a ((3 * i) + 1) c.g;
+  Float.Array.set a ((3 * i) + 2) c.b
+
+let rgb a i =
+  Rgb.v
+    (Float.Array.get a (3 * i))
+    (Float.Array.get a ((3 * i) + 1))
+    (Float.Array.get a ((3 * i) + 2))
+
+let first_non_finite (row : t) pixels =
+  let rec from i =
+    if i = width row then None
+    else if Rgb.is_finite (rgb pixels i) then from (i + 1)
+    else Some (row.x0 + i, row.y)
+  in
+  from 0
 
 let result (row : t) =
-  let width = width row in
-  let pixels = Float.Array.create (3 * width) in
-  (* Local mutation: filled here and never again. *)
-  let known = ref Sampling.none and non_finite = ref None in
-  for i = 0 to width - 1 do
-    let c = mean row i in
-    if Option.is_none !non_finite && not (Rgb.is_finite c) then
-      non_finite := Some (row.x0 + i, row.y);
-    known := Sampling.join !known (sampling row i);
-    Float.Array.set pixels (3 * i) c.r;
-    Float.Array.set pixels ((3 * i) + 1) c.g;
-    Float.Array.set pixels ((3 * i) + 2) c.b
+  let pixels = Float.Array.create (3 * width row) in
+  for i = 0 to width row - 1 do
+    set_rgb pixels i
+      (Pixel.mean row.sums (Pixel.slots * i) ~samples:row.counts.(i))
   done;
   {
     pixels;
@@ -89,8 +169,27 @@ let result (row : t) =
       Float.Array.mapi
         (fun i w -> w /. float_of_int row.counts.(i / 3))
         row.left_out;
-    sampling = !known;
-    non_finite = !non_finite;
+    fifths = Array.copy row.fifths;
+    non_finite = first_non_finite row pixels;
+    tally = row.tally;
+    words = row.words;
+  }
+
+let of_fifths (row : t) result =
+  let parts = Array.init Fifth.count result in
+  let of_pixel i = parts.(Fifth.of_pixel (row.x0 + i) row.y) in
+  let channels f =
+    Float.Array.init
+      (3 * width row)
+      (fun k -> Float.Array.get (f (of_pixel (k / 3))) k)
+  in
+  let pixels = channels (fun r -> r.pixels) in
+  {
+    pixels;
+    counts = Array.init (width row) (fun i -> (of_pixel i).counts.(i));
+    cut = channels (fun r -> r.cut);
+    fifths = Array.mapi (fun fifth r -> r.fifths.(fifth)) parts;
+    non_finite = first_non_finite row pixels;
     tally = row.tally;
     words = row.words;
   }

@@ -15,21 +15,31 @@ val take : Pixel.t -> t -> (int -> int) -> unit
 (** [take p row f] gives the [i]-th pixel its first [f i] samples, if it has
     less. *)
 
-val samples : t -> int -> int
-(** [samples row i] is how many samples the [i]-th pixel has. *)
-
 val total : t -> int
 (** [total row] is how many samples its pixels have. *)
 
-val sampling : t -> int -> Sampling.t
-(** [sampling row i] is what they say of the [i]-th pixel's error. *)
+val squares : t -> samples:int -> int -> float
+(** [squares row ~samples i] is {!Sampling.squares} of the [i]-th pixel's first
+    [samples] samples: 4 times a power of two, which a {!take} has left the
+    pixel with, or which it has doubled since to reach or pass. Else not a
+    number. *)
+
+val work : t -> int -> float
+(** [work row i] is how many rays and tests each sample of the [i]-th pixel
+    took, on average, of those it was given when it had fewer than four. *)
+
+val of_fifth : t -> int -> Sampling.t
+(** [of_fifth row i] is what their samples say of the error of the pixels of
+    {!Fifth} [i]. *)
+
+(** {1 Results} *)
 
 type result = {
   pixels : floatarray;  (** red, green and blue of each *)
   counts : int array;  (** how many samples each has *)
   cut : floatarray;
       (** red, green and blue of the mean weight of what was cut in each *)
-  sampling : Sampling.t;
+  fifths : Sampling.t array;  (** of each {!Fifth}'s pixels *)
   non_finite : (int * int) option;  (** the first pixel that is *)
   tally : Tally.t;  (** of all that was done *)
   words : float;  (** that taking samples allocated in the minor heap *)
@@ -38,3 +48,10 @@ type result = {
 val result : t -> result
 (** [result row] is what its samples, at least one for each pixel, say so far.
 *)
+
+val sampling : result -> Sampling.t
+(** [sampling r] is what they say of the error of the whole row. *)
+
+val of_fifths : t -> (int -> result) -> result
+(** [of_fifths row r] has the pixels of each fifth as its earlier result [r i]
+    has them, but all that was done for [row]. *)

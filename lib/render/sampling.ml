@@ -3,106 +3,134 @@ open Candor_colour
 open Candor_sample
 open Candor_trace
 
+(* Floats alone, so that they lie side by side. *)
 type t = {
-  values : int; (* pixels times channels *)
-  unknown : bool;
+  values : float; (* pixels times channels *)
+  unknown : float; (* pixels that tell nothing *)
   quarter : float; (* J: sums of squares when a stream is left out *)
   half : float; (* H: when two are *)
   fourth : float; (* of the squares of each pixel's J *)
 }
 
-let none = { values = 0; unknown = false; quarter = 0.; half = 0.; fourth = 0. }
+let none = { values = 0.; unknown = 0.; quarter = 0.; half = 0.; fourth = 0. }
 
 let join a b =
   {
-    values = a.values + b.values;
-    unknown = a.unknown || b.unknown;
+    values = a.values +. b.values;
+    unknown = a.unknown +. b.unknown;
     quarter = a.quarter +. b.quarter;
     half = a.half +. b.half;
     fourth = a.fourth +. b.fourth;
   }
 
+let times k s =
+  {
+    values = k *. s.values;
+    unknown = k *. s.unknown;
+    quarter = k *. s.quarter;
+    half = k *. s.half;
+    fourth = k *. s.fourth;
+  }
+
 (* {1 From samples} *)
 
 let streams = Sampler.streams
-let all_streams = List.init streams Fun.id
-
-let pairs =
-  List.concat_map
-    (fun i ->
-      List.filter_map (fun j -> if i < j then Some (i, j) else None) all_streams)
-    all_streams
-
+let channels = 3
 let size ~samples stream = (samples - stream + streams - 1) / streams
 
 (* Rounding leaves less than this of numbers up to 255 that are alike. *)
 let rounding = 0x1p-40
 
+(* What is shown without a sum of so many samples, less what is [shown]. *)
+let[@inline] change ~shown ~all ~samples sum n =
+  let change =
+    Display.encode ((all -. sum) /. float_of_int (samples - n)) -. shown
+  in
+  if Float.abs change < rounding then 0. else change
+
 (* What the squared change is worth when a share [w] of the samples is left out:
    right on average, were the display linear. *)
-let worth ~out:w change = (1. -. w) /. w *. change *. change
-let all_equal xs = Array.for_all (Float.equal xs.(0)) xs
+let[@inline] worth ~out:w change = (1. -. w) /. w *. change *. change
 
-(* One channel, from each stream's sum and share of the samples. *)
-let channel ~samples ~sums ~shares =
-  let n = float_of_int samples in
-  let total = Array.fold_left ( +. ) 0. sums in
-  let shown = Display.encode (total /. n) in
-  let without sum share =
-    let change =
-      Display.encode ((total -. sum) /. (n *. (1. -. share))) -. shown
-    in
-    if Float.abs change < rounding then 0. else worth ~out:share change
+let[@inline] stream_sum sums at i k =
+  Running_sum.total (Pixel.stream_sum sums at ~stream:i ~channel:k)
+
+let[@inline] share n samples = float_of_int n /. float_of_int samples
+
+(* Of one channel, when one stream is left out. *)
+let quarter sums at ~samples ~all ~shown k =
+  let sum = ref 0. in
+  for i = 0 to streams - 1 do
+    let n = size ~samples i in
+    let c = change ~shown ~all ~samples (stream_sum sums at i k) n in
+    let w = share n samples in
+    sum := !sum +. (w *. worth ~out:w c)
+  done;
+  !sum
+
+let pairs = streams * (streams - 1) / 2
+
+(* When two are. *)
+let half sums at ~samples ~all ~shown k =
+  let sum = ref 0. in
+  for i = 0 to streams - 1 do
+    for j = i + 1 to streams - 1 do
+      let n = size ~samples i + size ~samples j in
+      let pair = stream_sum sums at i k +. stream_sum sums at j k in
+      let c = change ~shown ~all ~samples pair n in
+      sum := !sum +. worth ~out:(share n samples) c
+    done
+  done;
+  !sum /. float_of_int pairs
+
+let all_equal sums at ~samples k =
+  let first = stream_sum sums at 0 k in
+  let rec from i =
+    i = streams || (Float.equal first (stream_sum sums at i k) && from (i + 1))
   in
-  let one i = without sums.(i) shares.(i)
-  and two (i, j) = without (sums.(i) +. sums.(j)) (shares.(i) +. shares.(j)) in
-  let add f sum x = sum +. f x in
-  ( List.fold_left (add (fun i -> shares.(i) *. one i)) 0. all_streams,
-    List.fold_left (add two) 0. pairs /. float_of_int (List.length pairs) )
+  samples mod streams = 0 && from 1
 
 let pixel sums at ~samples =
-  if samples < streams then { none with values = 3; unknown = true }
+  let unknown = { none with values = float_of_int channels; unknown = 1. } in
+  if samples < streams then unknown
   else
-    let shares =
-      Array.init streams (fun i ->
-          float_of_int (size ~samples i) /. float_of_int samples)
-    in
-    let finite = ref true in
-    let of_channel k =
-      let sums =
-        Array.init streams (fun stream ->
-            Running_sum.total (Pixel.stream_sum sums at ~stream ~channel:k))
-      in
-      if not (Array.for_all Float.is_finite sums) then finite := false;
-      if all_equal sums && all_equal shares then (0., 0.)
-      else channel ~samples ~sums ~shares
-    in
-    let r, r' = of_channel 0
-    and g, g' = of_channel 1
-    and b, b' = of_channel 2 in
-    let quarter = r +. g +. b in
-    {
-      values = 3;
-      unknown = not !finite;
-      quarter;
-      half = r' +. g' +. b';
-      fourth = quarter *. quarter;
-    }
+    (* Local mutation: three sums over channels. *)
+    let j = ref 0. and h = ref 0. and finite = ref true in
+    for k = 0 to channels - 1 do
+      let all = ref 0. in
+      for i = 0 to streams - 1 do
+        all := !all +. stream_sum sums at i k
+      done;
+      let all = !all in
+      if not (Float.is_finite all) then finite := false
+      else if not (all_equal sums at ~samples k) then (
+        let shown = Display.encode (all /. float_of_int samples) in
+        j := !j +. quarter sums at ~samples ~all ~shown k;
+        h := !h +. half sums at ~samples ~all ~shown k)
+    done;
+    if !finite then
+      {
+        values = float_of_int channels;
+        unknown = 0.;
+        quarter = !j;
+        half = !h;
+        fourth = !j *. !j;
+      }
+    else unknown
 
-let squares s = s.quarter
+let squares s = if s.quarter > 0. then s.quarter else s.half
+let tells_nothing s = s.unknown > 0.
 
 (* {1 What it says} *)
 
 (* Where only leaving out two streams changes anything, what leaving out none
    would is anybody's guess. *)
-let known s = s.values > 0 && (not s.unknown) && (s.quarter > 0. || s.half = 0.)
+let known s = s.values > 0. && s.unknown = 0. && (s.quarter > 0. || s.half = 0.)
 
 let straightened s =
   if s.half > 0. then s.quarter *. sqrt (s.quarter /. s.half) else s.quarter
 
-let mean_square s =
-  if known s then Some (straightened s /. float_of_int s.values) else None
-
+let mean_square s = if known s then Some (straightened s /. s.values) else None
 let rms s = Option.map sqrt (mean_square s)
 
 (* The deviation of ln of the mean square: of the four streams' products, for

@@ -26,13 +26,18 @@ val join : t -> t -> t
 (** [join a b] is of the pixels of both. Sums depend on the order in which they
     are made, in their last bits. *)
 
+val times : float -> t -> t
+(** [times k s] is what is known of [k] times as many pixels, if all are like
+    those of [s]. *)
+
 val pixel : floatarray -> int -> samples:int -> t
 (** [pixel sums i ~samples] is of one pixel, whose first [samples] samples are
     summed in the {!Candor_trace.Pixel.slots} of [sums] from [i] on. *)
 
 val squares : t -> float
 (** [squares s] is what leaving out a quarter shows of the squared error, summed
-    over pixels and channels: a raw material for {!Allocation}. *)
+    over pixels and channels, or, if that is nothing, leaving out a half: a raw
+    material for {!Allocation}. *)
 
 val mean_square : t -> float option
 (** [mean_square s] is the estimate of the mean, over pixels and channels, of
@@ -42,6 +47,10 @@ val mean_square : t -> float option
 
 val rms : t -> float option
 (** [rms s] is its square root. *)
+
+val tells_nothing : t -> bool
+(** [tells_nothing s] is [true] iff a pixel has a sample that is not finite, or
+    fewer than four. *)
 
 type interval = { low : float; high : float }
 

@@ -9,7 +9,7 @@ type run = {
   kept : bool;  (** whether the true error is at most the target *)
   samples : float;  (** it took *)
   spent : float;  (** the same, as a share of those that were needed *)
-  forecasts : Adaptive.forecast list;
+  forecasts : Forecast.t list;
 }
 
 type t = {
@@ -45,17 +45,15 @@ let target ~error ~confidence =
 let run truth (scene : Scene.t) ~error ~confidence seed =
   let shot = Shot.make scene seed in
   let steps = ref [] in
-  let pass wanted =
-    let results = Shot.take shot wanted in
-    let n = float_of_int (Shot.samples results) in
-    steps := (n, Truth.error truth results) :: !steps;
-    Some results
+  let taken () = float_of_int (Shot.samples shot) in
+  let pass () =
+    steps := (taken (), Truth.error truth (Shot.results shot)) :: !steps
   in
-  Adaptive.run shot.rows (target ~error ~confidence) ~pass ~expect:ignore
+  Shot.adaptive shot (target ~error ~confidence) ~pass
   |> Option.map (fun (o : Adaptive.outcome) ->
-      let samples, reached = List.hd !steps in
+      let samples = taken () in
       {
-        kept = reached <= error;
+        kept = Truth.error truth o.results <= error;
         samples;
         spent = samples /. needed ~target:error (List.rev !steps);
         forecasts = o.forecasts;
@@ -114,9 +112,8 @@ let spent runs p = quantile p (List.map (fun r -> r.spent) runs)
 let forecasts runs =
   List.concat_map (fun r -> List.map (fun f -> (f, r.samples)) r.forecasts) runs
 
-let held ((f : Adaptive.forecast), samples) =
-  f.low <= samples && samples <= f.high
+let held ((f : Forecast.t), samples) = f.low <= samples && samples <= f.high
 
 (* As a factor, at least 1. *)
-let off ((f : Adaptive.forecast), samples) =
+let off ((f : Forecast.t), samples) =
   Float.exp (Float.abs (Float.log (f.total /. samples)))

@@ -26,12 +26,9 @@ let first_seed = 2_000_000
 
 let adaptive scene ~error seed =
   let shot = Shot.make scene seed in
-  let pass wanted = Some (Shot.take shot wanted) in
-  Adaptive.run shot.rows
-    (Aim.target ~error ~confidence:0.95)
-    ~pass ~expect:ignore
+  Shot.adaptive shot (Aim.target ~error ~confidence:0.95) ~pass:ignore
   |> Option.map (fun (o : Adaptive.outcome) ->
-      (Shot.linear o.results, Shot.samples o.results))
+      (Shot.linear o.results, Shot.samples shot))
 
 (* Of all values at one place of many pictures. *)
 let at pictures i =

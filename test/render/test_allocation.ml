@@ -10,6 +10,7 @@ type case = {
   base : int;
   most : int;
   squares : float array;
+  costs : float array;
 }
 
 let squares =
@@ -35,17 +36,28 @@ let case =
         pure (Array.make (width * height) 0.);
         pure (Array.make (width * height) 3.);
       ]
+  and+ costs =
+    let size = pure (width * height) in
+    oneof
+      [
+        array_size size (Draw.uniform 1. 50.);
+        pure (Array.make (width * height) 1.);
+      ]
   in
-  { width; height; base; most; squares }
+  { width; height; base; most; squares; costs }
 
 let show c =
   Printf.sprintf "%dx%d from %d to %d: %s" c.width c.height c.base c.most
     (String.concat " "
        (List.map (Printf.sprintf "%h") (Array.to_list c.squares)))
 
-let make ?(squares = fun c i -> c.squares.(i)) c =
-  Allocation.make ~width:c.width ~height:c.height ~base:c.base (fun x y ->
-      squares c ((y * c.width) + x))
+let window x1 y1 = { Window.x0 = 0; y0 = 0; x1; y1 }
+
+let make ?(squares = fun c i -> c.squares.(i)) ?(cost = fun c i -> c.costs.(i))
+    c =
+  let at f x y = f c ((y * c.width) + x) in
+  Allocation.make (window c.width c.height) ~base:c.base ~cost:(at cost)
+    (at squares)
 
 let places c =
   List.init (c.width * c.height) (fun i -> (i mod c.width, i / c.width))
@@ -74,37 +86,59 @@ let monotone (c, (s, t)) =
   let a = make c and low = Float.min s t and high = Float.max s t in
   let samples scale (x, y) = Allocation.samples a ~scale ~most:c.most x y in
   List.for_all (fun p -> samples low p <= samples high p) (places c)
-  && Allocation.total a ~scale:low ~most:c.most
-     <= Allocation.total a ~scale:high ~most:c.most *. (1. +. 0x1p-40)
-  && Allocation.error a ~law:1. ~scale:high ~most:c.most
-     <= Allocation.error a ~law:1. ~scale:low ~most:c.most *. (1. +. 0x1p-40)
+  && Allocation.mean a All ~scale:low ~most:c.most
+     <= Allocation.mean a All ~scale:high ~most:c.most *. (1. +. 0x1p-40)
+  && Allocation.error a All ~law:1. ~scale:high ~most:c.most
+     <= Allocation.error a All ~law:1. ~scale:low ~most:c.most *. (1. +. 0x1p-40)
 
-(* Whatever else is found in a pixel, its own number is the same: this is why
-   its mean is right on average. *)
-let own_left_out (c, (scale, (k, other))) =
-  let i = k mod (c.width * c.height) in
-  let changed c j = if j = i then other else c.squares.(j) in
-  let samples a =
-    Allocation.samples a ~scale ~most:c.most (i mod c.width) (i / c.width)
+(* Whatever its fifth and those that ask it find, the number of a pixel is the
+   same: this is why its mean is right on average. *)
+let judges_alone (c, (scale, (fifth, other))) =
+  let changed f c i =
+    let x = i mod c.width and y = i / c.width in
+    if Fifth.(is_judge (of_pixel x y) ~of_:fifth) then f c i else other
   in
-  samples (make c) = samples (make ~squares:changed c)
+  let numbers a =
+    ( Allocation.for_mean a (Fifth fifth) ~most:c.most
+        (2. *. float_of_int c.base),
+      List.filter_map
+        (fun (x, y) ->
+          if Fifth.of_pixel x y = fifth then
+            Some (Allocation.samples a ~scale ~most:c.most x y)
+          else None)
+        (places c) )
+  in
+  let squares c i = c.squares.(i) and cost c i = c.costs.(i) in
+  numbers (make c)
+  = numbers (make ~squares:(changed squares) ~cost:(changed cost) c)
 
-(* Its neighbours', two each way, is another. *)
+(* Of its neighbours, two each way, those of its judges ask for more. *)
 let neighbours_told () =
-  let at x y f =
-    let a = Allocation.make ~width:9 ~height:9 ~base:4 f in
-    Allocation.samples a ~scale:100. ~most:1_000_000 x y
+  let noisy x y =
+    if abs (x - 20) <= 1 then 100. else 1. +. float_of_int (y mod 2)
   in
-  let plain _ _ = 1. in
-  let bright x0 y0 x y = if x = x0 && y = y0 then 1e6 else 1. in
-  for y = 0 to 8 do
-    for x = 0 to 8 do
-      let near = abs (x - 4) <= 2 && abs (y - 4) <= 2 in
-      let told = at x y (bright 4 4) > at x y plain in
-      Alcotest.(check bool)
-        (Printf.sprintf "pixel %d %d" x y)
-        (near && not (x = 4 && y = 4))
-        told
+  let a = Allocation.make (window 40 40) ~base:4 ~cost:(fun _ _ -> 1.) noisy in
+  let n x y = Allocation.samples a ~scale:100. ~most:1_000_000 x y in
+  for y = 0 to 39 do
+    Alcotest.(check bool) "much noise" true (n 20 y >= 512);
+    Alcotest.(check bool) "next to it" true (n 22 y > n 30 y);
+    Alcotest.(check bool) "little noise" true (n 5 y <= 256)
+  done
+
+(* Noise that the judges do not agree on is chance: all pixels are alike. *)
+let chance () =
+  let noise x y =
+    let u =
+      Candor_sample.Key.(float (v ~seed:1 ~x ~y ~sample:0 ~bounce:0 Film))
+    in
+    if u < 0.02 then 1000. else 1.
+  in
+  let a = Allocation.make (window 60 60) ~base:4 ~cost:(fun _ _ -> 1.) noise in
+  let scale = Allocation.for_mean a All ~most:100_000 40. in
+  for y = 0 to 59 do
+    for x = 0 to 59 do
+      let n = Allocation.samples a ~scale ~most:100_000 x y in
+      if not (16 <= n && n <= 128) then Alcotest.failf "%d samples" n
     done
   done
 
@@ -131,13 +165,15 @@ let counts c a scale =
   List.map (fun p -> float_of_int (samples p)) (places c)
 
 let sum = List.fold_left ( +. ) 0.
+let pixels c = float_of_int (c.width * c.height)
+let total c a ~scale = pixels c *. Allocation.mean a All ~scale ~most:c.most
 
 (* Classes are a sixteenth of an octave of squares wide, which moves a root by
    2.2 %. Between powers of two a coin decides, of which each pixel has one:
    what that adds has a deviation of half the number or less. *)
 let counted (c, scale) =
   let a = make c in
-  let total = Allocation.total a ~scale ~most:c.most in
+  let total = total c a ~scale in
   let counts = counts c a scale in
   let deviation = 0.5 *. sqrt (sum (List.map (fun n -> n *. n) counts)) in
   Float.abs (sum counts -. total) <= (0.023 *. total) +. (5. *. deviation)
@@ -145,14 +181,13 @@ let counted (c, scale) =
 
 let ends (c, _) =
   let a = make c in
-  let pixels = float_of_int (c.width * c.height) in
-  let base = float_of_int c.base *. pixels in
-  Allocation.total a ~scale:0. ~most:c.most = base
+  Allocation.mean a All ~scale:0. ~most:c.most = float_of_int c.base
   &&
-  let greatest = Allocation.for_total a ~most:c.most infinity in
-  let none = Allocation.error a ~law:1. ~scale:0. ~most:c.most = 0. in
-  (Allocation.error a ~law:1. ~scale:0. ~most:c.most = if none then 0. else 1.)
-  && greatest = Allocation.for_error a ~law:1. ~most:c.most (-1.)
+  let greatest = Allocation.for_mean a All ~most:c.most infinity in
+  let none = Allocation.error a All ~law:1. ~scale:0. ~most:c.most = 0. in
+  (Allocation.error a All ~law:1. ~scale:0. ~most:c.most
+  = if none then 0. else 1.)
+  && greatest = Allocation.for_error a All ~law:1. ~most:c.most (-1.)
   && Float.is_finite greatest
   && List.for_all
        (fun (x, y) ->
@@ -160,25 +195,37 @@ let ends (c, _) =
          n = c.most || n = c.base)
        (places c)
 
-let inverts_total (c, share) =
+let inverts_mean (c, (part, share)) =
   let a = make c and most = c.most in
-  let low = Allocation.total a ~scale:0. ~most in
-  let high =
-    Allocation.total a ~scale:(Allocation.for_total a ~most infinity) ~most
-  in
+  let mean scale = Allocation.mean a part ~scale ~most in
+  let low = mean 0. in
+  let high = mean (Allocation.for_mean a part ~most infinity) in
   let n = low +. (share *. (high -. low)) in
-  let scale = Allocation.for_total a ~most n in
-  let found = Allocation.total a ~scale ~most in
+  let found = mean (Allocation.for_mean a part ~most n) in
   Float.abs (found -. n) <= 1e-6 *. n
   || Law.fail "%g instead of %g, of %g to %g" found n low high
 
-let inverts_error (c, (share, law)) =
+(* The whole is its fifths. *)
+let of_fifths (c, scale) =
   let a = make c and most = c.most in
-  let error scale = Allocation.error a ~law ~scale ~most in
-  let low = error (Allocation.for_error a ~law ~most (-1.)) in
+  let of_fifth fifth =
+    let is (x, y) = Fifth.of_pixel x y = fifth in
+    let pixels = List.length (List.filter is (places c)) in
+    float_of_int pixels *. Allocation.mean a (Fifth fifth) ~scale ~most
+  in
+  let sum = sum (List.map of_fifth (List.init Fifth.count Fun.id)) in
+  let total = total c a ~scale in
+  (* Pixels of a class are counted with their mean, which differs. *)
+  Float.abs (sum -. total) <= 0.05 *. total
+  || Law.fail "%g instead of %g" sum total
+
+let inverts_error (c, (part, (share, law))) =
+  let a = make c and most = c.most in
+  let error scale = Allocation.error a part ~law ~scale ~most in
+  let low = error (Allocation.for_error a part ~law ~most (-1.)) in
   let high = error 0. in
   let wanted = low +. (share *. (high -. low)) in
-  let found = error (Allocation.for_error a ~law ~most wanted) in
+  let found = error (Allocation.for_error a part ~law ~most wanted) in
   Float.abs (found -. wanted) <= 1e-6 *. wanted
   || Law.fail "%g instead of %g, of %g to %g" found wanted low high
 
@@ -186,10 +233,11 @@ let inverts_error (c, (share, law)) =
    four times the error of the other, twice as many. *)
 let shares () =
   let a =
-    Allocation.make ~width:200 ~height:100 ~base:4 (fun x _ ->
-        if x < 100 then 4. else 1.)
+    Allocation.make (window 200 100) ~base:4
+      ~cost:(fun _ _ -> 1.)
+      (fun x _ -> if x < 100 then 4. else 1.)
   in
-  let scale = Allocation.for_total a ~most:1000 (30. *. 20_000.) in
+  let scale = Allocation.for_mean a All ~most:1000 30. in
   let mean x0 =
     let sum = ref 0 in
     for y = 0 to 99 do
@@ -204,9 +252,35 @@ let shares () =
   Alcotest.(check (float 0.001))
     "the error that is left"
     ((4. *. 4. /. 40.) +. (4. /. 20.))
-    (5. *. Allocation.error a ~law:1. ~scale ~most:1000)
+    (5. *. Allocation.error a All ~law:1. ~scale ~most:1000)
+
+let costly () =
+  let cost x _ = if x < 100 then 4. else 1. in
+  let a = Allocation.make (window 200 100) ~base:4 ~cost (fun _ _ -> 1.) in
+  let scale = Allocation.for_mean a All ~most:1000 30. in
+  let n x = Allocation.samples a ~scale ~most:1000 x in
+  let mean x0 =
+    let sum = ref 0 in
+    for y = 0 to 99 do
+      for x = x0 to x0 + 49 do
+        sum := !sum + n x y
+      done
+    done;
+    float_of_int !sum /. 5000.
+  in
+  Alcotest.(check (float 0.4)) "dear" 20. (mean 10);
+  Alcotest.(check (float 0.8)) "cheap" 40. (mean 120)
 
 let share = Draw.uniform 0. 1.
+let fifth = Gen.int_bound (Fifth.count - 1)
+
+let part =
+  Gen.oneof
+    [ Gen.pure Allocation.All; Gen.map (fun i -> Allocation.Fifth i) fifth ]
+
+let of_part = function
+  | Allocation.All -> "all"
+  | Fifth i -> Printf.sprintf "fifth %d" i
 
 let suite =
   ( "allocations",
@@ -214,18 +288,24 @@ let suite =
       law "numbers are from the base to the most" scale one within;
       law "a greater scale takes no sample away" (Gen.pair scale scale) two
         monotone;
-      law "what a pixel finds does not change its own number"
-        Gen.(pair scale (pair nat squares))
-        (fun (s, (i, x)) -> Printf.sprintf "%h, %h in pixel %d" s x i)
-        own_left_out;
-      Law.example "it changes its neighbours'" neighbours_told;
+      law "what pixels have depends on the judges of their fifth alone"
+        Gen.(pair scale (pair fifth squares))
+        (fun (s, (i, x)) -> Printf.sprintf "%h, %h but for judges of %d" s x i)
+        judges_alone;
+      Law.example "neighbours ask for more" neighbours_told;
+      Law.example "what judges do not agree on is chance" chance;
+      Law.example "what costs four times as much has half as many" costly;
       law "numbers are the same again, in any order" scale one again;
       law "they add up to what was announced, about" scale one counted;
       law "from the base everywhere to the most where there is an error" scale
         one ends;
-      law ~count:500 "a total is met" share one inverts_total;
+      law ~count:500 "a mean is met" (Gen.pair part share)
+        (fun (p, x) -> Printf.sprintf "%h of %s" x (of_part p))
+        inverts_mean;
+      law "all pixels are those of the fifths" scale one of_fifths;
       law ~count:500 "an error is met"
-        (Gen.pair share (Draw.uniform 1. 1.5))
-        two inverts_error;
+        Gen.(pair part (pair share (Draw.uniform 1. 1.5)))
+        (fun (p, x) -> Printf.sprintf "%s of %s" (two x) (of_part p))
+        inverts_error;
       Law.example "samples go as the root of the error" shares;
     ] )

@@ -197,6 +197,25 @@ let targets () =
     (adaptive ~left:(fun () -> -1.) ~error:0.5 ~most:64 alike)
     alike
 
+(* All noise is in one pixel, which has nothing to say where most stop. *)
+let misjudged () =
+  let s =
+    Written.scene
+      [
+        Written.size 21 21;
+        Written.flat_camera;
+        "(sphere (center .01 .02 0) (radius .04) (material (emitter (radiance \
+         1))))";
+      ]
+  in
+  let r = adaptive ~error:0.01 ~most:(1 lsl 20) s in
+  let expected =
+    "   target 0.01 missed: parts of the picture misjudged each other"
+  in
+  if not (String.ends_with ~suffix:expected (told s r)) then
+    Alcotest.fail (told s r);
+  Alcotest.(check bool) "met" true (field s r "met" = Bool false)
+
 (* The line, its numbers and those for programs say the same. *)
 let intervals () =
   let s = scene ~spp:8 () in
@@ -232,5 +251,6 @@ let suite =
       Law.example "what an 8-bit file loses" output;
       Law.example "the same as JSON" json;
       Law.example "whether a target was met, and why not" targets;
+      Law.example "parts of a picture may misjudge each other" misjudged;
       Law.example "the error of sampling is told with its interval" intervals;
     ] )

@@ -75,27 +75,27 @@ let forecast =
   and+ c = Draw.wide 0. 9.
   and+ taken = oneof [ Draw.wide 0. 10.; Draw.pick [ 0. ] ] in
   match List.sort Float.compare [ a; b; c ] with
-  | [ low; total; high ] -> (taken, { Adaptive.taken; low; total; high })
-  | _ -> (taken, { Adaptive.taken; low = a; total = a; high = a })
+  | [ low; total; high ] -> (taken, { Forecast.taken; low; total; high })
+  | _ -> (taken, { Forecast.taken; low = a; total = a; high = a })
 
-let print_forecast (taken, { Adaptive.low; total; high; _ }) =
+let print_forecast (taken, { Forecast.low; total; high; _ }) =
   Printf.sprintf "%h of %h in [%h, %h]" taken total low high
 
 let of_forecast (taken, f) =
   let p = Pace.of_forecast ~taken f in
   ordered p
   && (taken > 0. || is p 0. 0. 0.)
-  && (taken < f.Adaptive.high || is p 1. 1. 1.)
+  && (taken < f.Forecast.high || is p 1. 1. 1.)
   && (taken > f.low || Float.equal p.share (taken /. f.total))
 
 let without_end () =
   let f =
-    { Adaptive.taken = 5.; low = 5.; total = infinity; high = infinity }
+    { Forecast.taken = 5.; low = 5.; total = infinity; high = infinity }
   in
   Alcotest.(check bool)
     "nothing is known" true
     (is (Pace.of_forecast ~taken:5. f) 0. 0. 1.);
-  let none = { Adaptive.taken = 0.; low = 0.; total = 0.; high = 0. } in
+  let none = { Forecast.taken = 0.; low = 0.; total = 0.; high = 0. } in
   Alcotest.(check bool)
     "nothing is expected" true
     (ordered (Pace.of_forecast ~taken:0. none))

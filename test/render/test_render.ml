@@ -9,7 +9,9 @@ let () =
       Test_window.suite;
       Test_row.suite;
       Test_sampling.suite;
+      Test_fifth.suite;
       Test_allocation.suite;
+      Test_forecast.suite;
       Test_adaptive.suite;
       Test_sample_map.suite;
       Test_pace.suite;

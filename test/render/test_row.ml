@@ -50,7 +50,7 @@ let in_passes (s, y, passes) =
   && a.counts = Array.init s.width want
   && a.counts = b.counts
   && bits a.pixels = bits b.pixels
-  && a.sampling = b.sampling
+  && a.fifths = b.fifths
   && a.non_finite = b.non_finite
   && camera a.tally = camera b.tally
   && camera a.tally = Array.fold_left ( + ) 0 a.counts
@@ -59,7 +59,7 @@ let as_pixels (s, y, _) =
   let picture = Shot.picture s in
   let r = row s y in
   Row.take (Pixel.compile s) r (fun _ -> s.settings.spp);
-  let { Row.pixels; sampling; _ } = Row.result r in
+  let ({ Row.pixels; fifths; _ } as result) = Row.result r in
   let at i =
     Rgb.v
       (Float.Array.get pixels (3 * i))
@@ -69,10 +69,10 @@ let as_pixels (s, y, _) =
   let all = List.init (Row.width r) Fun.id in
   Row.width r = s.width
   && List.for_all (fun i -> Rgb.equal (at i) (Picture.pixel picture i y)) all
-  && sampling
-     = List.fold_left
-         (fun sum i -> Sampling.join sum (Row.sampling r i))
-         Sampling.none all
+  && List.for_all
+       (fun fifth -> Row.of_fifth r fifth = fifths.(fifth))
+       (List.init Fifth.count Fun.id)
+  && Row.sampling result = Array.fold_left Sampling.join Sampling.none fifths
 
 (* A result stays as it is while further samples are taken. *)
 let kept () =

@@ -91,7 +91,7 @@ let formulas ((samples, (r, g, b)) as case) =
   let j = List.fold_left (fun s (j, _) -> s +. j) 0. parts
   and h = List.fold_left (fun s (_, h) -> s +. h) 0. parts in
   let mean_square = if h > 0. then j *. sqrt (j /. h) /. 3. else j /. 3. in
-  near j (Sampling.squares s)
+  near (if Sampling.squares s = 0. || j > 0. then j else h) (Sampling.squares s)
   &&
   match Sampling.mean_square s with
   | None -> Sampling.squares s = 0. && h > 0.
