@@ -29,6 +29,23 @@ val sum_error : float -> float -> float -> float
 val product_error : float -> float -> float -> float
 (** [product_error a b p] is the error a·b − p of the product [p = a *. b]. *)
 
+(** {1 Products of mild numbers}
+
+    The same errors, bit by bit, without fused products: which are calls, for
+    which all numbers at hand go to memory and back. After T. J. Dekker,
+    {e A Floating-Point Technique for Extending the Available Precision}, Numer.
+    Math. 18, 1971. *)
+
+val is_mild : float -> bool
+(** [is_mild x] is whether [x] is 0 or |x| is between 2^-480 and 2^480. *)
+
+val head : float -> float
+(** [head x] is [x] rounded to 26 bits, if it {!is_mild}. *)
+
+val mild_product_error : float -> float -> float -> float -> float -> float
+(** [mild_product_error a (head a) b (head b) (a *. b)] is
+    [product_error a b (a *. b)] if [a] and [b] are mild. *)
+
 (** {1 Scalar products} *)
 
 val dot : float -> float -> float -> float -> float -> float -> float
@@ -41,3 +58,21 @@ val dot_error :
     precision: within 2^-104 of the sum of the absolute products. After T.
     Ogita, S. M. Rump, S. Oishi, {e Accurate Sum and Dot Product}, SIAM J. Sci.
     Comput. 26, 2005. *)
+
+val mild_dot_error :
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float ->
+  float
+(** [mild_dot_error a (head a) b (head b) c (head c) x (head x) y (head y) z
+     (head z) s] is [dot_error a b c x y z s] if all six numbers are mild. *)

@@ -22,9 +22,8 @@ let of_ray ({ origin; direction; direction_low; _ } : Ray.t) =
 let v origin direction = of_ray (Ray.v origin direction)
 
 let through m r =
-  let origin, origin_low = Wide_affine.point m r.origin r.origin_low
-  and direction, direction_low =
-    Wide_affine.vector m r.direction r.direction_low
+  let origin, origin_low, direction, direction_low =
+    Wide_affine.ray m r.origin r.origin_low r.direction r.direction_low
   in
   let exact = is_zero origin_low && is_zero direction_low in
   { origin; direction; origin_low; direction_low; exact }

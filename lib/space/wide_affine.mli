@@ -5,9 +5,10 @@
     and the rest, which is below half an ulp. Results are within 2^-100 of the
     sum of the absolute products that they are made of. *)
 
-type t = private { high : Affine.t; low : Affine.t }
+type t = private { high : Affine.t; low : Affine.t; mild : bool }
 (** The map [high + low], entry by entry; [low] is at most half an ulp of
-    [high]. *)
+    [high]. [mild] says whether the linear part of [high] {!Error_free.is_mild}.
+*)
 
 val of_affine : Affine.t -> t
 (** [of_affine m] is [m] exactly. *)
@@ -30,6 +31,10 @@ val point_error : t -> Point.t -> Vec.t -> Vec.t
 
 val vector : t -> Vec.t -> Vec.t -> Vec.t * Vec.t
 (** [vector m a r] is the image of the displacement [a + r]. *)
+
+val ray :
+  t -> Point.t -> Vec.t -> Vec.t -> Vec.t -> Point.t * Vec.t * Vec.t * Vec.t
+(** [ray m p r a s] is what [point m p r] and [vector m a s] are, for less. *)
 
 val is_finite : t -> bool
 (** [is_finite m] is [true] iff all numbers of [m] are finite. *)

@@ -50,6 +50,51 @@ let images (m, ((p : Point.t), r)) =
        (Exact_affine.vector exact whole)
        (Exact_affine.vector sizes size)
 
+(* Now and then numbers are far too large, too small, or no numbers at all. *)
+let odd g =
+  let far =
+    Draw.pick [ 0.; -0.; 0x1p-600; -0x1p-1074; 0x1p500; infinity; nan ]
+  in
+  Draw.either 95 g far
+
+let ray =
+  let open Gen in
+  let half x k = 0x1p-54 *. x *. k in
+  let rest x y z =
+    let* exact = bool and* k = Draw.vec (Draw.uniform (-1.) 1.) in
+    return
+      (if exact then Vec.zero else Vec.v (half x k.x) (half y k.y) (half z k.z))
+  in
+  let* o = Draw.point (odd Draw.coordinate)
+  and* d = Draw.vec (odd Draw.coordinate) in
+  let* o' = rest o.x o.y o.z and* d' = rest d.x d.y d.z in
+  return ((o, o'), (d, d'))
+
+(* Of maps with large and small entries too, and with zeros of either sign. *)
+let odd_map =
+  Gen.oneof
+    [
+      wide;
+      Gen.map Wide_affine.of_affine (Maps.of_entries (odd Draw.coordinate));
+    ]
+
+let show_ray ((o, o'), (d, d')) =
+  Draw.show_point o ^ Draw.show_vec o' ^ " along " ^ Draw.show_vec d
+  ^ Draw.show_vec d'
+
+let same_number x y =
+  (Float.is_nan x && Float.is_nan y)
+  || Int64.equal (Int64.bits_of_float x) (Int64.bits_of_float y)
+
+let same (a : Vec.t) (b : Vec.t) =
+  same_number a.x b.x && same_number a.y b.y && same_number a.z b.z
+
+let takes_rays (m, ((o, o'), (d, d'))) =
+  let from (p : Point.t) = Vec.v p.x p.y p.z in
+  let p, p', v, v' = Wide_affine.ray m o o' d d' in
+  let q, q' = Wide_affine.point m o o' and w, w' = Wide_affine.vector m d d' in
+  same (from p) (from q) && same p' q' && same v w && same v' w'
+
 let composes (b, a) =
   let b' = Exact_affine.of_wide b and a' = Exact_affine.of_wide a in
   Exact_affine.all_within tiny
@@ -134,6 +179,11 @@ let suite =
   ( "wide affine maps",
     [
       law "images are within 2^-100" (Gen.pair wide point) show images;
+      law ~count:20000
+        "rays go where their origins and directions go, bit for bit"
+        (Gen.pair odd_map ray)
+        (fun (m, r) -> show_wide m ^ "\n" ^ show_ray r)
+        takes_rays;
       law "compositions are within 2^-100" (Gen.pair wide wide)
         (fun (b, a) -> show_wide b ^ "\n" ^ show_wide a)
         composes;
