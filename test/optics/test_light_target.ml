@@ -249,6 +249,48 @@ let somewhere (name, target, from, p) =
         && (List.mem name [ "cap"; "ellipsoid"; "sphere, squeezed" ]
            || Near.close ~within:1e-9 (density *. angle) 1.)
 
+let same_sample (a : Light_target.sample option) b =
+  match (a, b) with
+  | None, None -> true
+  | Some a, Some (b : Light_target.sample) ->
+      same_dir a.direction b.direction && same_bits a.density b.density
+  | None, Some _ | Some _, None -> false
+
+(* One look serves for a solid angle and for two samples. Where the target is not
+   flat, nothing need be seen of it; where it is, the density of what is sampled,
+   which looks by itself, is one over the solid angle. *)
+let looked_at_once (_, target, from, { Pattern.u; v }) =
+  let flat = Light_target.is_flat target in
+  let look =
+    if flat then Light_target.look target ~from else Light_target.nothing
+  in
+  let angle = Light_target.solid_angle_seen look target ~from in
+  let alike p =
+    let seen = Light_target.sample_seen look target ~from p in
+    same_sample seen (Light_target.sample target ~from p)
+    &&
+    match seen with
+    | None -> (not flat) || angle = 0.
+    | Some { direction; _ } when flat ->
+        let density = Light_target.density target ~from direction in
+        Near.close ~within:1e-9 (density *. angle) 1.
+    | Some _ -> true
+  in
+  same_bits angle (Light_target.solid_angle target ~from)
+  && alike { u; v }
+  && alike { u = v; v = u }
+
+let flat_ones () =
+  List.iter
+    (fun (name, target) ->
+      let flat =
+        List.exists
+          (fun prefix -> String.starts_with ~prefix name)
+          [ "triangle"; "box"; "flat box" ]
+      in
+      Alcotest.(check bool) name flat (Light_target.is_flat target))
+    shapes
+
 let scaled k shape =
   let at (q : Point.t) = p (k *. q.x) (k *. q.y) (k *. q.z) in
   match shape with
@@ -290,18 +332,15 @@ let same_when_scaled (shape, both_sides, e, from, uv) =
       (Light_target.solid_angle one ~from)
       (Light_target.solid_angle other ~from:from')
     &&
-    match
-      ( Light_target.sample one ~from uv,
-        Light_target.sample other ~from:from' uv )
-    with
-    | None, None -> true
-    | Some a, Some b ->
-        same_dir a.direction b.direction
-        && same_bits a.density b.density
-        && same_bits
-             (Light_target.density one ~from a.direction)
-             (Light_target.density other ~from:from' a.direction)
-    | None, Some _ | Some _, None -> false
+    let sample = Light_target.sample one ~from uv in
+    same_sample sample (Light_target.sample other ~from:from' uv)
+    &&
+    match sample with
+    | None -> true
+    | Some { direction; _ } ->
+        same_bits
+          (Light_target.density one ~from direction)
+          (Light_target.density other ~from:from' direction)
   in
   alike one other && alike (cap one) (cap other)
 
@@ -350,6 +389,10 @@ let suite =
         view agree;
       Law.law ~print:show "something is sampled where something is seen" view
         somewhere;
+      Law.law ~count:5000 ~print:show
+        "what is seen once is sampled as if it were looked at anew" view
+        looked_at_once;
+      Law.example "targets of facets are flat, balls and caps are not" flat_ones;
       Law.law ~print:show_scaling "scaling by 2^k leaves the bits" scaling
         same_when_scaled;
       Law.example "the largest and smallest lights are safe" extreme;

@@ -52,6 +52,44 @@ let in_square (n, i) =
 
 let low_bits (n, i) = at n i = at n (i + (1 lsl 32))
 
+(* {1 Bit by bit} *)
+
+(* The low 32 bits in reverse order, one after another. *)
+let reverse x =
+  let bit r i = if x land (1 lsl i) = 0 then r else r lor (1 lsl (31 - i)) in
+  List.fold_left bit 0 (List.init 32 Fun.id)
+
+(* N. Vegdahl's hash. *)
+let scramble key x =
+  let x = x lxor (x * 0x3d20adea) in
+  let x = (x + key) * ((key lsr 16) lor 1) in
+  let x = x lxor (x * 0x05526c56) in
+  x lxor (x * 0x53a22864)
+
+(* Bit i is the sum of the bits j for which C(j, i) is odd. *)
+let pascal x =
+  let odd i j = i land lnot j = 0 && x land (1 lsl j) <> 0 in
+  let bit i =
+    let terms = List.filter (odd i) (List.init 32 Fun.id) in
+    (List.length terms land 1) lsl i
+  in
+  List.fold_left (fun y i -> y lor bit i) 0 (List.init 32 Fun.id)
+
+let fraction x =
+  Float.ldexp (float_of_int (reverse x)) (-32)
+  +. Float.ldexp (float_of_int ((x lsr 32) land 0x1fffff)) (-53)
+
+let plain key i =
+  let derived k = (Key.derive key k :> int) in
+  let i = reverse (scramble (derived 0) (reverse i)) in
+  let digits k x = fraction (scramble (derived k) x) in
+  { Pattern.u = digits 1 i; v = digits 2 (pascal i) }
+
+let bit_by_bit (n, i) =
+  let { Pattern.u; v } = plain (key n) i and found = at n i in
+  Float.equal found.u u && Float.equal found.v v
+  && Float.equal (Sobol.one ~key:(key n) i) u
+
 (* {1 Over keys} *)
 
 let keys = 1 lsl 17
@@ -194,6 +232,9 @@ let suite =
       law "of an index the low 32 bits count"
         Gen.(pair int index)
         show_index low_bits;
+      law "points are what loops over bits make them"
+        Gen.(pair int index)
+        show_index bit_by_bit;
       Law.example "every point by itself is uniform over keys" uniform;
       Law.example "two points of one key are as far apart as scrambling says"
         scrambled;
