@@ -83,6 +83,9 @@ let[@inline] reciprocal d =
   let i = 1. /. d in
   if Float.abs i <= 0x1.fffffffffffffp1023 || d = 0. then i else nan
 
+(* Once an interval is not, no further axis makes it so. *)
+let[@inline] in_order t0 t1 = t0 <= t1 || t0 <= (t1 *. far_factor) +. far_more
+
 (* The ray enters a slab at its low end if it rises, else at its high end.
    Comparisons are written so that a nan (the origin in a face, the ray along
    it) leaves the interval as it was, on every axis. *)
@@ -105,6 +108,8 @@ let[@inline] meets w n =
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
+  in_order t0 t1
+  &&
   let near, far =
     let low = Float.Array.unsafe_get b (n + 4)
     and high = Float.Array.unsafe_get b (n + 5) in
@@ -113,7 +118,7 @@ let[@inline] meets w n =
   in
   let t0 = if near > t0 then near else t0
   and t1 = if far < t1 then far else t1 in
-  t0 <= t1 || t0 <= (t1 *. far_factor) +. far_more
+  in_order t0 t1
 
 let[@inline] descending p axis =
   not ((if axis = 0 then p.ix else if axis = 1 then p.iy else p.iz) >= 0.)
