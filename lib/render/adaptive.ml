@@ -41,7 +41,6 @@ type state = {
 }
 
 let streams = Sampler.streams
-let fifths = List.init Fifth.count Fun.id
 
 let pixels job =
   float_of_int (Window.width job.window * Window.height job.window)
@@ -71,9 +70,10 @@ let pass job s wanted =
 (* {1 Judges} *)
 
 let fewest = 100
+let are_together job = pixels job < float_of_int fewest
 
 let judges job fifth =
-  if pixels job < float_of_int fewest then fifths
+  if are_together job then Fifth.all
   else
     let a, b = Fifth.judges fifth in
     [ a; b ]
@@ -84,7 +84,7 @@ let is_going s fifth =
 (* Its samples have a say in what is still going on. *)
 let is_needed job s fifth =
   let asks other = is_going s other && List.mem fifth (judges job other) in
-  is_going s fifth || List.exists asks fifths
+  is_going s fifth || List.exists asks Fifth.all
 
 let sampling job fifths =
   let of_row sum row =
@@ -94,7 +94,8 @@ let sampling job fifths =
   in
   Array.fold_left of_row Sampling.none job.rows
 
-(* What the judges' pixels say of a picture all of which is like them. *)
+(* What the judges' pixels say of a picture all of which is like them. Each fifth
+   judges two others: together they are as sure as the whole picture. *)
 let judged job fifth =
   let judges = judges job fifth in
   let share = float_of_int (List.length judges) /. float_of_int Fifth.count in
@@ -110,7 +111,17 @@ let is_small_enough job sampling =
 
 let results job = Array.map Row.result job.rows
 
-(* A pixel that is not finite stays so. *)
+(* Who are judged together end together: a fifth may have no pixels, or none with
+   an error. *)
+let is_full job s fifth =
+  if are_together job then Array.for_all Fun.id s.full else s.full.(fifth)
+
+(* A pixel that is not finite stays so, and no error is met. *)
+let is_hopeless job s judged =
+  Option.is_some job.target.error
+  && s.base >= streams
+  && Sampling.tells_nothing judged
+
 let judge job s =
   let results = lazy (results job) in
   let of_fifth fifth = function
@@ -118,8 +129,7 @@ let judge job s =
     | Going ->
         let judged = judged job fifth in
         let met = is_small_enough job judged in
-        let hopeless = s.base >= streams && Sampling.tells_nothing judged in
-        if met || hopeless || s.full.(fifth) then
+        if met || is_full job s fifth || is_hopeless job s judged then
           Stopped { results = Lazy.force results; met }
         else Going
   in
@@ -127,8 +137,8 @@ let judge job s =
 
 (* {1 The end} *)
 
-(* Beyond reasonable doubt. *)
-let conviction = 0.99
+(* Beyond reasonable doubt: the error is larger with 99 %. *)
+let conviction = 0.98
 
 let is_contradicted job results =
   let add sum r = Sampling.join sum (Row.sampling r) in
@@ -137,11 +147,11 @@ let is_contradicted job results =
   match (job.target.error, interval) with
   | Some error, Some { low; _ } -> low > error
   | Some _, None -> true
-  | None, _ -> false
+  | None, (Some _ | None) -> false
 
 let ending job s results =
   let met = function Stopped { met; _ } -> met | Going -> false in
-  if List.exists (is_going s) fifths then Out_of_time
+  if List.exists (is_going s) Fifth.all then Out_of_time
   else if not (Array.for_all met s.fates) then Out_of_samples
   else if is_contradicted job results then Misjudged
   else Met
@@ -202,7 +212,8 @@ let law s =
     Some (Float.max 1. (Float.min 1.5 (Float.log2 (s.before /. s.squares))))
   else None
 
-(* All pixels have as many; with four, they say how the others are shared out. *)
+(* All pixels have as many; with four, they say how the others are shared out. So
+   do those of fifths that stopped: judges of others ask them. *)
 let lay job s base =
   let* s = pass job s (fun _ _ -> base) in
   let at x y = if base < streams then 1. else squares job ~base x y in
@@ -265,7 +276,7 @@ let samples_left job s =
   if left > 0. then left /. s.rate else 0.
 
 let forecast job s =
-  let all = sampling job fifths and taken = s.taken in
+  let all = sampling job Fifth.all and taken = s.taken in
   let f =
     match job.target.error with
     | Some error ->
@@ -282,12 +293,14 @@ let is_done job s =
   (* Less time is not worth another pass. *)
   let enough = 0.01 in
   let is_over = job.allowed < infinity && left job <= enough *. job.allowed in
-  is_over || not (List.exists (is_going s) fifths)
+  is_over || not (List.exists (is_going s) Fifth.all)
 
-(* The samples a pixel that there is time for, if a share of it is spent. *)
+(* The samples a pixel that there is time for, if a share of it is spent: fifths
+   that nobody asks any more take none. *)
 let affordable job s ~share =
-  (Float.min (s.mean *. pixels job) s.taken +. (share *. samples_left job s))
-  /. pixels job
+  let needed = List.length (List.filter (is_needed job s) Fifth.all) in
+  let part = float_of_int needed /. float_of_int Fifth.count in
+  s.mean +. (share *. samples_left job s /. (part *. pixels job))
 
 (* How long samples take is known when some are taken: so not all the time that
    is left at once, and less before those that go where they are needed. *)

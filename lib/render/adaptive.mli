@@ -2,17 +2,20 @@
     is small enough or time is up.
 
     The number of all samples climbs a ladder whose rungs no sample has a say
-    in: four a pixel, and then more by 2{^ 1/8} each. Up to half of them go to
-    all pixels alike, the others where {!Allocation} says. A {!Fifth} stops at
-    the first rung at which its judges' pixels, as they stand there, show an
-    error that is small enough for the whole picture, and stays as it is; others
-    may go on for a while.
+    in: four a pixel, and then more by 2{^ 1/8} each. At first nearly all go to
+    all pixels alike, from eight a pixel on a quarter to a half of them; the
+    others go where {!Allocation} says. A {!Fifth} stops at the first rung at
+    which its judges' pixels, as they stand there, show an error that is small
+    enough for the whole picture, or all that may have more have the most. It
+    stays as it is then; others may go on for a while.
 
-    {b Law.} The mean of such pictures, over seeds, is the mean of all samples:
-    how many a pixel has is a function of the samples of other fifths. Those of
-    a fifth ask their judges, for shares and for the end; these ask theirs for
-    shares only, and by what they showed when all pixels had the same number;
-    and no judge's judge is the fifth again. *)
+    {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
+    pictures, over seeds, is the mean of all samples: how many a pixel has is a
+    function of the samples of other fifths. A fifth asks its judges, for shares
+    and for the end; these ask theirs for shares only, and for what they showed
+    when all pixels had the same number; and no judge's judge is the fifth
+    again. (With [left], the clock has a say, and it knows what samples cost.)
+*)
 
 type target = {
   error : float option;
@@ -30,7 +33,9 @@ type ending =
       (** all judges said so, but together the pixels say, with 99 % confidence,
           that their error is larger *)
   | Out_of_time
-  | Out_of_samples  (** all pixels that seem to have an error have the most *)
+  | Out_of_samples
+      (** all pixels that seem to have an error have the most, or a sample is
+          not finite *)
 
 type outcome = {
   results : Row.result array;

@@ -44,7 +44,8 @@ let neighbours judges =
   |> List.filter (fun (dx, dy, _) -> List.mem (Fifth.of_pixel dx dy) judges)
   |> Array.of_list
 
-(* The weighted means of the values around each pixel, 1 where there are none. *)
+(* The weighted means of the values around each pixel; 1, which is as good as any
+   number, where there are none: at the end of a lone row. *)
 let smooth (w : Window.t) values judges =
   let neighbours = neighbours judges in
   let around i =
@@ -84,13 +85,13 @@ let reliability indices a b =
   if scatter > 0. then
     let r = Float.max 0. (product a b /. scatter) in
     2. *. r /. (1. +. r)
-  else 1.
+  else 0.
 
 (* As far as it is reliable; for the rest, pixels are alike. *)
-let believed indices deviations (a, b) =
-  let get = Float.Array.get deviations in
+let believed indices roots (a, b) =
+  let get = Float.Array.get roots in
   (* Local mutation: filled here. *)
-  let result = Float.Array.copy deviations in
+  let result = Float.Array.copy roots in
   let of_fifth indices =
     let share = reliability indices a b and mean = mean_over indices get in
     let believe i =
@@ -148,15 +149,12 @@ let make window ~base ~cost f =
   let values = over (fun x y -> finite (f x y)) in
   let first, second = Fifth.judges 0 in
   let both = [ first; second ] in
-  let costs = smooth window (over cost) both in
-  let deviations judges =
-    let deviation v c = sqrt (v /. c) in
-    Float.Array.map2 deviation (smooth window values judges) costs
-  in
-  let deviations =
-    believed (indices window) (deviations both)
-      (deviations [ first ], deviations [ second ])
+  let roots judges = Float.Array.map sqrt (smooth window values judges) in
+  let roots =
+    believed (indices window) (roots both) (roots [ first ], roots [ second ])
+  and costs = smooth window (over cost) both
   and squares = smooth window values both in
+  let deviations = Float.Array.map2 (fun r c -> r /. sqrt c) roots costs in
   let fifths, all = classify window ~squares deviations in
   { window; base; deviations; fifths; all }
 
@@ -171,7 +169,7 @@ let real a ~scale ~most deviation =
 let samples a ~scale ~most x y =
   let deviation = Float.Array.get a.deviations (index a.window x y) in
   let n = real a ~scale ~most deviation in
-  let chance = Key.float (Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film) in
+  let chance = Key.float (Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Share) in
   let rec between low =
     let high = Int.min most (2 * low) in
     if high <= low then low

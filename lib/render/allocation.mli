@@ -24,7 +24,7 @@ val make :
 
 val samples : t -> scale:float -> most:int -> int -> int -> int
 (** [samples a ~scale ~most x y] is what pixel (x, y) should have: [base] at
-    least, [most] at most, more for a greater [scale]. It is [base] times a
+    least, [most] at most, no fewer for a greater [scale]. It is [base] times a
     power of two, or [most]: of the two nearest one at random, by the pixel's
     place. *)
 

@@ -12,8 +12,8 @@ val of_pixel : int -> int -> int
 (** [of_pixel x y] is the fifth of the pixel in column [x] and row [y], from 0
     to 4. *)
 
+val all : int list
+(** [all] is 0 to 4. *)
+
 val judges : int -> int * int
 (** [judges i] is the two after fifth [i]. *)
-
-val is_judge : int -> of_:int -> bool
-(** [is_judge j ~of_:i] is [true] iff [j] is one of the judges of [i]. *)

@@ -22,7 +22,9 @@ type aim = {
 type report = {
   picture : Picture.t;
   window : Window.t;
-  map : Sample_map.t;  (** the samples that were taken *)
+  map : Sample_map.t;
+      (** the samples that the picture is made of: an adaptive render may have
+          taken more *)
   sampling : Sampling.t;  (** what they say of their error *)
   cut_off : Cut_off.t Lazy.t;
       (** what may be lost where paths were cut; for one domain to ask *)

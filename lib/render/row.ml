@@ -82,7 +82,7 @@ let done_so_far (row : t) =
 
 (* Each pixel is taken to what it wants, but not past a doubling. *)
 let step pixel row wants =
-  let before = Gc.minor_words () in
+  let words = Gc.minor_words () in
   for i = 0 to width row - 1 do
     let from = row.counts.(i) in
     let until = Int.max from wants.(i) in
@@ -98,7 +98,7 @@ let step pixel row wants =
     Tally.move_left_out row.tally row.left_out (3 * i);
     row.counts.(i) <- until
   done;
-  row.words <- row.words +. (Gc.minor_words () -. before);
+  row.words <- row.words +. (Gc.minor_words () -. words);
   update row
 
 let sum_up row =

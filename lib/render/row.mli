@@ -20,9 +20,8 @@ val total : t -> int
 
 val squares : t -> samples:int -> int -> float
 (** [squares row ~samples i] is {!Sampling.squares} of the [i]-th pixel's first
-    [samples] samples: 4 times a power of two, which a {!take} has left the
-    pixel with, or which it has doubled since to reach or pass. Else not a
-    number. *)
+    [samples] samples, if these are 4·2{^ k}, some {!take} left the pixel with
+    4·2{^ j}, j ≤ k, and it has had [samples] since. Else not a number. *)
 
 val work : t -> int -> float
 (** [work row i] is how many rays and tests each sample of the [i]-th pixel
@@ -41,7 +40,7 @@ type result = {
       (** red, green and blue of the mean weight of what was cut in each *)
   fifths : Sampling.t array;  (** of each {!Fifth}'s pixels *)
   non_finite : (int * int) option;  (** the first pixel that is *)
-  tally : Tally.t;  (** of all that was done *)
+  tally : Tally.t;  (** of all that is done for the row, later too *)
   words : float;  (** that taking samples allocated in the minor heap *)
 }
 

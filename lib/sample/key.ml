@@ -15,6 +15,7 @@ type purpose =
   | Wavelength
   | Distance
   | Deflection
+  | Share
 [@@deriving show, eq, ord]
 
 type t = int
@@ -46,6 +47,7 @@ let number = function
   | Wavelength -> 14
   | Distance -> 15
   | Deflection -> 16
+  | Share -> 17
 
 let below k purpose = derive k (number purpose)
 

@@ -21,6 +21,7 @@ type purpose =
   | Wavelength
   | Distance  (** how far light goes in a medium *)
   | Deflection  (** where it is scattered to *)
+  | Share  (** which pixels have more samples than others *)
 [@@deriving show, eq, ord]
 
 type t = private int

@@ -232,7 +232,8 @@ let bounded (s, target, _) =
   match (aim r).ending with
   | Met -> is_believed
   | Misjudged -> not is_believed
-  | Out_of_samples -> true
+  | Out_of_samples ->
+      Sample_map.most r.map = target.most || Option.is_some r.non_finite_pixel
   | Out_of_time -> false
 
 (* {1 No bias} *)
@@ -265,8 +266,8 @@ let own fifth counts =
       Array.mapi (fun x n -> if Fifth.of_pixel x y = fifth then n else 0))
     counts
 
-let independent () =
-  let s = noisy () and target = target ~error:3. () in
+let independent target () =
+  let s = noisy () in
   List.iter
     (fun fifth ->
       let counts seed = counts s target ~fifth ~seed in
@@ -277,11 +278,8 @@ let independent () =
           (Printf.sprintf "fifth %d" fifth)
           (own fifth first) (own fifth c)
       in
-      List.iter check others;
-      Alcotest.(check bool)
-        "others' numbers change" true
-        (List.exists (fun c -> c <> first) others))
-    (List.init Fifth.count Fun.id)
+      List.iter check others)
+    Fifth.all
 
 (* All noise is in one pixel. *)
 let misjudged () =
@@ -295,6 +293,30 @@ let misjudged () =
       ]
   in
   ends "too large an error" Misjudged (adaptive (target ~error:0.01 ()) s)
+
+(* Else the law above would say nothing. *)
+let dependent () =
+  let s = noisy () and target = target ~error:3. () in
+  List.iter
+    (fun fifth ->
+      let counts seed = counts s target ~fifth ~seed in
+      let first = counts 1 in
+      Alcotest.(check bool)
+        (Printf.sprintf "fifth %d" fifth)
+        true
+        (List.exists (fun seed -> counts seed <> first) [ 2; 3; 4 ]))
+    Fifth.all
+
+let few () =
+  let s = noisy () in
+  List.iter
+    (fun (x1, y1) ->
+      let window = { Window.x0 = 7; y0 = 5; x1 = 7 + x1; y1 = 5 + y1 } in
+      ends
+        (Printf.sprintf "%d by %d" x1 y1)
+        Met
+        (adaptive ~window (target ~error:4. ()) s))
+    [ (1, 1); (2, 1); (1, 2); (2, 2); (5, 1); (9, 7) ]
 
 (* {1 Progress} *)
 
@@ -341,7 +363,11 @@ let suite =
       law "a crop's own map repeats the crop" of_crop;
       law "from 4 samples to the most; met as far as its pixels know" bounded;
       Law.example "however a fifth's samples fall, it has as many of them"
-        independent;
+        (independent (target ~error:3. ()));
+      Law.example "those of others depend on them" dependent;
+      Law.example "nor does it have more when samples run out"
+        (independent (target ~error:0.5 ~most:40 ()));
+      Law.example "a few pixels are judged together" few;
       Law.example "an error that no judge sees is not met" misjudged;
       Law.example "progress is told with its bounds" told;
       Law.example "a stop ends it without a picture" stopped;

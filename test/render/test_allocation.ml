@@ -96,7 +96,8 @@ let monotone (c, (s, t)) =
 let judges_alone (c, (scale, (fifth, other))) =
   let changed f c i =
     let x = i mod c.width and y = i / c.width in
-    if Fifth.(is_judge (of_pixel x y) ~of_:fifth) then f c i else other
+    let a, b = Fifth.judges fifth and own = Fifth.of_pixel x y in
+    if own = a || own = b then f c i else other
   in
   let numbers a =
     ( Allocation.for_mean a (Fifth fifth) ~most:c.most
@@ -126,21 +127,28 @@ let neighbours_told () =
   done
 
 (* Noise that the judges do not agree on is chance: all pixels are alike. *)
+let rare x y =
+  let key = Candor_sample.Key.v ~seed:1 ~x ~y ~sample:0 ~bounce:0 Film in
+  if Candor_sample.Key.float key < 0.02 then 1000. else 1.
+
 let chance () =
-  let noise x y =
-    let u =
-      Candor_sample.Key.(float (v ~seed:1 ~x ~y ~sample:0 ~bounce:0 Film))
-    in
-    if u < 0.02 then 1000. else 1.
-  in
-  let a = Allocation.make (window 60 60) ~base:4 ~cost:(fun _ _ -> 1.) noise in
-  let scale = Allocation.for_mean a All ~most:100_000 40. in
-  for y = 0 to 59 do
-    for x = 0 to 59 do
-      let n = Allocation.samples a ~scale ~most:100_000 x y in
-      if not (16 <= n && n <= 128) then Alcotest.failf "%d samples" n
+  let check ~cost noise (low, high) =
+    let a = Allocation.make (window 60 60) ~base:4 ~cost noise in
+    let scale = Allocation.for_mean a All ~most:100_000 40. in
+    for y = 0 to 59 do
+      for x = 0 to 59 do
+        let n = Allocation.samples a ~scale ~most:100_000 x y in
+        if not (low <= n && n <= high) then Alcotest.failf "%d samples" n
+      done
     done
-  done
+  in
+  let alike _ _ = 1. in
+  check ~cost:alike rare (16, 128);
+  (* That costs differ does not make judges agree. *)
+  check ~cost:(fun x _ -> if x < 30 then 1. else 16.) rare (8, 256);
+  (* Of two judges, one that knows nothing does not agree with the other. *)
+  let once x y = if x = 30 && y = 30 then 1000. else 0. in
+  check ~cost:alike once (0, 128)
 
 let again (c, scale) =
   let samples () =
@@ -213,7 +221,7 @@ let of_fifths (c, scale) =
     let pixels = List.length (List.filter is (places c)) in
     float_of_int pixels *. Allocation.mean a (Fifth fifth) ~scale ~most
   in
-  let sum = sum (List.map of_fifth (List.init Fifth.count Fun.id)) in
+  let sum = sum (List.map of_fifth Fifth.all) in
   let total = total c a ~scale in
   (* Pixels of a class are counted with their mean, which differs. *)
   Float.abs (sum -. total) <= 0.05 *. total

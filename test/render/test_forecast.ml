@@ -71,8 +71,8 @@ let surer c =
     Forecast.for_error ~law s ~taken:1. (10. +. c.total)
   in
   let law = Some 1.25 in
-  width (forecast ~law 1e6) <= width (forecast ~law 10.)
-  && width (forecast ~law 1e6) <= width (forecast ~law:None 1e6)
+  width (forecast ~law 1e6) < width (forecast ~law 10.)
+  && width (forecast ~law 1e6) < width (forecast ~law:None 1e6)
 
 let suite =
   ( "forecasts",

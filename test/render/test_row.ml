@@ -74,6 +74,49 @@ let as_pixels (s, y, _) =
        (List.init Fifth.count Fun.id)
   && Row.sampling result = Array.fold_left Sampling.join Sampling.none fifths
 
+(* Whatever a pixel went through since, it knows what it showed at each doubling
+   of four samples. *)
+let remembered (s, y, _) =
+  let pixel = Pixel.compile s and all = List.init s.width Fun.id in
+  let r = row s y in
+  Row.take pixel r (fun _ -> 1);
+  Row.take pixel r (fun _ -> 4);
+  Row.take pixel r (fun i -> if i mod 2 = 0 then 32 else 9);
+  let at_once samples =
+    let fresh = row s y in
+    Row.take pixel fresh (fun _ -> samples);
+    Row.squares fresh ~samples
+  in
+  let same samples i =
+    let a = Row.squares r ~samples i and b = at_once samples i in
+    Int64.(equal (bits_of_float a) (bits_of_float b))
+    || Law.fail "%d samples of pixel %d: %h and %h" samples i a b
+  and unknown samples i = Float.is_nan (Row.squares r ~samples i) in
+  List.for_all (fun n -> List.for_all (same n) all) [ 4; 8 ]
+  && List.for_all
+       (fun i -> i mod 2 = 1 || List.for_all (fun n -> same n i) [ 16; 32 ])
+       all
+  && List.for_all (fun n -> List.for_all (unknown n) all) [ 1; 3; 9; 12; 64 ]
+  && List.for_all (fun i -> i mod 2 = 0 || unknown 16 i) all
+
+let worked (s, y, _) =
+  let pixel = Pixel.compile s in
+  let r = row s y in
+  let count () =
+    let t = (Row.result r).tally in
+    Tally.total_rays t + Candor_surface.Effort.tests (Tally.effort t)
+  in
+  Row.take pixel r (fun _ -> 1);
+  Row.take pixel r (fun _ -> 4);
+  let taken = float_of_int (count ()) in
+  Row.take pixel r (fun _ -> 8);
+  let sum =
+    List.fold_left
+      (fun sum i -> sum +. (4. *. Row.work r i))
+      0. (List.init s.width Fun.id)
+  in
+  sum = taken || Law.fail "%g instead of %g" sum taken
+
 (* A result stays as it is while further samples are taken. *)
 let kept () =
   let s =
@@ -94,5 +137,9 @@ let suite =
       Law.law ~count:100 ~print
         "samples taken in passes are those taken at once" asked in_passes;
       Law.law ~count:100 ~print "a row is its pixels" asked as_pixels;
+      Law.law ~count:50 ~print "what each doubling showed is remembered" asked
+        remembered;
+      Law.law ~count:50 ~print "work is that of the first four samples" asked
+        worked;
       Law.example "what was told stays so" kept;
     ] )
