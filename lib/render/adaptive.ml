@@ -94,20 +94,12 @@ let sampling job fifths =
   in
   Array.fold_left of_row Sampling.none job.rows
 
-(* What the judges' pixels say of a picture all of which is like them. Each fifth
-   judges two others: together they are as sure as the whole picture. *)
-let judged job fifth =
-  let judges = judges job fifth in
-  let share = float_of_int (List.length judges) /. float_of_int Fifth.count in
-  Sampling.times (1. /. share) (sampling job judges)
-
-let is_small_enough job sampling =
-  match job.target.error with
-  | None -> false
-  | Some error -> (
-      match Sampling.upper ~confidence:job.target.confidence sampling with
-      | Some upper -> upper <= error
-      | None -> false)
+let is_small_enough job fifths =
+  let { error; confidence; _ } = job.target in
+  let share = float_of_int (List.length fifths) /. float_of_int Fifth.count in
+  match (error, Sampling.cautious ~confidence ~share (sampling job fifths)) with
+  | Some error, Some bound -> bound <= error
+  | Some _, None | None, (Some _ | None) -> false
 
 let results job = Array.map Row.result job.rows
 
@@ -117,19 +109,19 @@ let is_full job s fifth =
   if are_together job then Array.for_all Fun.id s.full else s.full.(fifth)
 
 (* A pixel that is not finite stays so, and no error is met. *)
-let is_hopeless job s judged =
+let is_hopeless job s fifths =
   Option.is_some job.target.error
   && s.base >= streams
-  && Sampling.tells_nothing judged
+  && Sampling.tells_nothing (sampling job fifths)
 
 let judge job s =
   let results = lazy (results job) in
   let of_fifth fifth = function
     | Stopped _ as fate -> fate
     | Going ->
-        let judged = judged job fifth in
-        let met = is_small_enough job judged in
-        if met || is_full job s fifth || is_hopeless job s judged then
+        let judges = judges job fifth in
+        let met = is_small_enough job judges in
+        if met || is_full job s fifth || is_hopeless job s judges then
           Stopped { results = Lazy.force results; met }
         else Going
   in

@@ -6,8 +6,8 @@
     all pixels alike, from eight a pixel on a quarter to a half of them; the
     others go where {!Allocation} says. A {!Fifth} stops at the first rung at
     which its judges' pixels, as they stand there, show an error that is small
-    enough for the whole picture, or all that may have more have the most. It
-    stays as it is then; others may go on for a while.
+    enough for the whole picture ({!Sampling.cautious}), or all that may have
+    more have the most. It stays as it is then; others may go on for a while.
 
     {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
     pictures, over seeds, is the mean of all samples: how many a pixel has is a

@@ -159,3 +159,13 @@ let interval ~confidence s =
 let upper ~confidence s =
   let k = Normal.quantile confidence in
   Option.map (fun rms -> times_exp rms k (deviation s)) (rms s)
+
+(* Errors of parts that stop here and there scatter as the logarithms of what
+   their judges say: by d² / share in the mean square's logarithm. Half of that
+   is how far their mean is above their median; as much again is for stopping at
+   the first of many looks that says so. *)
+let cautious ~confidence ~share s =
+  let whole = times (1. /. share) s in
+  let d = deviation whole in
+  let k = Normal.quantile confidence +. (d /. share) in
+  Option.map (fun rms -> times_exp rms k d) (rms whole)

@@ -61,3 +61,8 @@ val interval : confidence:float -> t -> interval option
 val upper : confidence:float -> t -> float option
 (** [upper ~confidence s] is at least the RMS error with probability
     [confidence]. *)
+
+val cautious : confidence:float -> share:float -> t -> float option
+(** [cautious ~confidence ~share s] is what to compare with a target before a
+    part of a picture is stopped, if [s] is of other parts of it, a [share] of
+    its pixels, in \]0, 1\]: above {!upper}, the more the less is known. *)

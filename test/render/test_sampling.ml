@@ -274,6 +274,27 @@ let coverage () =
           sqrt truth <= get (Sampling.upper ~confidence s)))
     [ 0.5; 0.68; 0.95; 0.99 ]
 
+(* The less of a picture is known, the more caution. *)
+let caution (a, b) =
+  let s = Sampling.join (of_means a) (of_means b) in
+  let cautious share = Sampling.cautious ~confidence:0.68 ~share s in
+  match (cautious 0.4, cautious 1., Sampling.upper ~confidence:0.68 s) with
+  | None, None, None -> true
+  | Some part, Some all, Some upper ->
+      (upper <= all && upper <= part)
+      || Law.fail "%h of a part, %h of all, %h at most" part all upper
+  | (Some _ | None), (Some _ | None), (Some _ | None) -> false
+
+(* Where much is known, none is needed. *)
+let no_caution () =
+  (* Two grey pixels whose streams differ in small, linear steps. *)
+  let s = grey ~samples:400 [| 0.5; 0.5001; 0.5002; 0.4999 |] in
+  let many = Sampling.times 1e8 s in
+  let rms = get (Sampling.rms many) in
+  let bound = get (Sampling.cautious ~confidence:0.95 ~share:0.4 many) in
+  if not (rms <= bound && bound <= 1.001 *. rms) then
+    Alcotest.failf "%h for %h" bound rms
+
 let suite =
   ( "sampling errors",
     [
@@ -289,6 +310,10 @@ let suite =
         "intervals hold the estimate, and the more the surer"
         Gen.(pair pixel (pair confidence confidence))
         widening;
+      Law.law
+        ~print:(fun (a, b) -> print a ^ " and " ^ print b)
+        "caution is above the upper bound" (Gen.pair pixel pixel) caution;
+      Law.example "where much is known, caution costs nothing" no_caution;
       Law.example "they are right on average, also of skewed samples" unbiased;
       Law.example "intervals hold the error as often as they say" coverage;
     ] )
