@@ -197,17 +197,8 @@ let targets () =
     (adaptive ~left:(fun () -> -1.) ~error:0.5 ~most:64 alike)
     alike
 
-(* All noise is in one pixel, which has nothing to say where most stop. *)
 let misjudged () =
-  let s =
-    Written.scene
-      [
-        Written.size 21 21;
-        Written.flat_camera;
-        "(sphere (center .01 .02 0) (radius .04) (material (emitter (radiance \
-         1))))";
-      ]
-  in
+  let s = Test_adaptive.lone in
   let r = adaptive ~error:0.01 ~most:(1 lsl 20) s in
   let expected =
     "   target 0.01 missed: parts of the picture misjudged each other"
