@@ -113,7 +113,7 @@ let enter table key (n, d, v) =
   in
   Hashtbl.replace table key (n +. n', d +. d', v +. v')
 
-let likes pixels table =
+let of_table pixels table =
   let classes =
     Hashtbl.to_seq table |> List.of_seq
     |> List.sort (fun (a, _) (b, _) -> Int.compare a b)
@@ -135,7 +135,8 @@ let classify window ~squares deviations =
   in
   Float.Array.iteri add deviations;
   Array.iter (Hashtbl.iter (enter all)) tables;
-  (Array.map2 likes pixels tables, likes (Float.Array.length deviations) all)
+  ( Array.map2 of_table pixels tables,
+    of_table (Float.Array.length deviations) all )
 
 let make window ~base ~cost f =
   let over value =
@@ -184,23 +185,20 @@ let samples a ~scale ~most x y =
 
 let likes a = function All -> a.all | Fifth i -> a.fifths.(i)
 
-let mean_of a likes ~scale ~most =
-  let base = float_of_int a.base in
+let mean a part ~scale ~most =
+  let likes = likes a part and base = float_of_int a.base in
   let more (deviation, n, _) = n *. (real a ~scale ~most deviation -. base) in
   let more = List.fold_left (fun sum c -> sum +. more c) 0. likes.classes in
   base +. (more /. Float.max 1. likes.pixels)
 
-let error_of a likes ~law ~scale ~most =
-  let base = float_of_int a.base in
+let error a part ~law ~scale ~most =
+  let likes = likes a part and base = float_of_int a.base in
   let left (deviation, _, v) =
     v *. ((base /. real a ~scale ~most deviation) ** law)
   in
   let sum f = List.fold_left (fun sum c -> sum +. f c) 0. likes.classes in
   let all = sum (fun (_, _, v) -> v) in
   if all > 0. then sum left /. all else 0.
-
-let mean a part = mean_of a (likes a part)
-let error a part = error_of a (likes a part)
 
 (* {1 Scales} *)
 
@@ -209,7 +207,7 @@ let halvings = 32
 
 (* The least scale that is [enough], between one that changes nothing and one
    that gives all pixels with an error the most. *)
-let search a likes ~most enough =
+let search a part ~most enough =
   let rec between low high n =
     if n = 0 then high
     else
@@ -217,7 +215,8 @@ let search a likes ~most enough =
       if enough middle then between low middle (n - 1)
       else between middle high (n - 1)
   in
-  match (likes.classes, List.rev likes.classes) with
+  let { classes; _ } = likes a part in
+  match (classes, List.rev classes) with
   | (least, _, _) :: _, (largest, _, _) :: _ ->
       between
         (float_of_int a.base /. largest)
@@ -226,10 +225,7 @@ let search a likes ~most enough =
   | [], _ | _, [] -> 0.
 
 let for_mean a part ~most n =
-  let likes = likes a part in
-  search a likes ~most (fun scale -> mean_of a likes ~scale ~most >= n)
+  search a part ~most (fun scale -> mean a part ~scale ~most >= n)
 
 let for_error a part ~law ~most share =
-  let likes = likes a part in
-  search a likes ~most (fun scale ->
-      error_of a likes ~law ~scale ~most <= share)
+  search a part ~most (fun scale -> error a part ~law ~scale ~most <= share)
