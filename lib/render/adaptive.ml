@@ -24,8 +24,8 @@ type job = {
   allowed : float; (* seconds that there were in the beginning *)
 }
 
-(* What becomes of a fifth. *)
-type fate = Going | Stopped of { results : Row.result array; met : bool }
+(* What becomes of a part. *)
+type fate = Going | Stopped of { met : bool }
 
 type state = {
   mean : float; (* samples a pixel, of the rung *)
@@ -33,8 +33,9 @@ type state = {
   allocation : Allocation.t; (* of the others *)
   squares : float; (* what the base shows of the squared error, of all pixels *)
   before : float; (* what half the base showed *)
-  full : bool array; (* fifths of which all that may have more have the most *)
+  full : bool array; (* parts of which all that may have more have the most *)
   fates : fate array;
+  kept : Row.result array option; (* since the first part stopped *)
   taken : float; (* samples *)
   rate : float; (* seconds for each of the last *)
   forecasts : Forecast.t list; (* last first *)
@@ -71,61 +72,71 @@ let pass job s wanted =
 
 let fewest = 100
 let are_together job = pixels job < float_of_int fewest
+let judges job part = if are_together job then Part.all else Part.judges part
 
-let judges job fifth =
-  if are_together job then Fifth.all
-  else
-    let a, b = Fifth.judges fifth in
-    [ a; b ]
-
-let is_going s fifth =
-  match s.fates.(fifth) with Going -> true | Stopped _ -> false
+let is_going s part =
+  match s.fates.(part) with Going -> true | Stopped _ -> false
 
 (* Its samples have a say in what is still going on. *)
-let is_needed job s fifth =
-  let asks other = is_going s other && List.mem fifth (judges job other) in
-  is_going s fifth || List.exists asks Fifth.all
+let is_needed job s part =
+  let asks other = is_going s other && List.mem part (judges job other) in
+  is_going s part || List.exists asks Part.all
 
-let sampling job fifths =
-  let of_row sum row =
-    List.fold_left
-      (fun sum fifth -> Sampling.join sum (Row.of_fifth row fifth))
-      sum fifths
+(* What the samples of each part say. *)
+let samplings job =
+  let of_part part =
+    let add sum row = Sampling.join sum (Row.of_part row part) in
+    Array.fold_left add Sampling.none job.rows
   in
-  Array.fold_left of_row Sampling.none job.rows
+  Array.init Part.count of_part
 
-let is_small_enough job fifths =
+let joined samplings parts =
+  let add sum part = Sampling.join sum samplings.(part) in
+  List.fold_left add Sampling.none parts
+
+let is_small_enough job sampling =
   let { error; confidence; _ } = job.target in
-  let share = float_of_int (List.length fifths) /. float_of_int Fifth.count in
-  match (error, Sampling.cautious ~confidence ~share (sampling job fifths)) with
+  match (error, Sampling.cautious ~confidence sampling) with
   | Some error, Some bound -> bound <= error
   | Some _, None | None, (Some _ | None) -> false
 
 let results job = Array.map Row.result job.rows
 
-(* Who are judged together end together: a fifth may have no pixels, or none with
-   an error. *)
-let is_full job s fifth =
-  if are_together job then Array.for_all Fun.id s.full else s.full.(fifth)
+(* Who are judged together end together. *)
+let is_full job s part =
+  if are_together job then Array.for_all Fun.id s.full else s.full.(part)
 
 (* A pixel that is not finite stays so, and no error is met. *)
-let is_hopeless job s fifths =
+let is_hopeless job s sampling =
   Option.is_some job.target.error
   && s.base >= streams
-  && Sampling.tells_nothing (sampling job fifths)
+  && Sampling.tells_nothing sampling
+
+(* Parts that stopped before stay as they were. *)
+let keep job s =
+  let now = results job in
+  match s.kept with
+  | None -> now
+  | Some before ->
+      let is_settled part = not (is_going s part) in
+      Array.mapi
+        (fun i row -> Row.merge row ~is_settled before.(i) now.(i))
+        job.rows
 
 let judge job s =
-  let results = lazy (results job) in
-  let of_fifth fifth = function
+  let samplings = samplings job in
+  let of_part part = function
     | Stopped _ as fate -> fate
     | Going ->
-        let judges = judges job fifth in
-        let met = is_small_enough job judges in
-        if met || is_full job s fifth || is_hopeless job s judges then
-          Stopped { results = Lazy.force results; met }
+        let sampling = joined samplings (judges job part) in
+        let met = is_small_enough job sampling in
+        if met || is_full job s part || is_hopeless job s sampling then
+          Stopped { met }
         else Going
   in
-  { s with fates = Array.mapi of_fifth s.fates }
+  let fates = Array.mapi of_part s.fates in
+  let kept = if fates = s.fates then s.kept else Some (keep job s) in
+  { s with fates; kept }
 
 (* {1 The end} *)
 
@@ -143,21 +154,13 @@ let is_contradicted job results =
 
 let ending job s results =
   let met = function Stopped { met; _ } -> met | Going -> false in
-  if List.exists (is_going s) Fifth.all then Out_of_time
+  if List.exists (is_going s) Part.all then Out_of_time
   else if not (Array.for_all met s.fates) then Out_of_samples
   else if is_contradicted job results then Misjudged
   else Met
 
 let finish job s =
-  let last = results job in
-  let of_fifth y fifth =
-    match s.fates.(fifth) with
-    | Going -> last.(y)
-    | Stopped { results; _ } -> results.(y)
-  in
-  let results =
-    Array.mapi (fun y row -> Row.of_fifths row (of_fifth y)) job.rows
-  in
+  let results = keep job s in
   Some
     { results; ending = ending job s results; forecasts = List.rev s.forecasts }
 
@@ -205,7 +208,7 @@ let law s =
   else None
 
 (* All pixels have as many; with four, they say how the others are shared out. So
-   do those of fifths that stopped: judges of others ask them. *)
+   do those of parts that stopped: judges of others ask them. *)
 let lay job s base =
   let* s = pass job s (fun _ _ -> base) in
   let at x y = if base < streams then 1. else squares job ~base x y in
@@ -224,17 +227,17 @@ let lay job s base =
 
 let share_out job s mean =
   let most = job.target.most and a = s.allocation in
-  let scale fifth = Allocation.for_mean a (Fifth fifth) ~most mean in
-  let scales = Array.init Fifth.count scale in
-  let full fifth scale =
-    let reached = Allocation.mean a (Fifth fifth) ~scale ~most in
+  let scale part = Allocation.for_mean a (Part part) ~most mean in
+  let scales = Array.init Part.count scale in
+  let full part scale =
+    let reached = Allocation.mean a (Part part) ~scale ~most in
     reached < mean *. (1. -. 0x1p-20)
-  and needed = Array.init Fifth.count (is_needed job s) in
+  and needed = Array.init Part.count (is_needed job s) in
   let* s =
     pass job s (fun x y ->
-        let fifth = Fifth.of_pixel x y in
-        if needed.(fifth) then
-          Allocation.samples a ~scale:scales.(fifth) ~most x y
+        let part = Part.of_pixel x y in
+        if needed.(part) then
+          Allocation.samples a ~scale:scales.(part) ~most x y
         else 0)
   in
   Some (judge job { s with mean; full = Array.mapi full scales })
@@ -268,7 +271,7 @@ let samples_left job s =
   if left > 0. then left /. s.rate else 0.
 
 let forecast job s =
-  let all = sampling job Fifth.all and taken = s.taken in
+  let all = joined (samplings job) Part.all and taken = s.taken in
   let f =
     match job.target.error with
     | Some error ->
@@ -285,13 +288,13 @@ let is_done job s =
   (* Less time is not worth another pass. *)
   let enough = 0.01 in
   let is_over = job.allowed < infinity && left job <= enough *. job.allowed in
-  is_over || not (List.exists (is_going s) Fifth.all)
+  is_over || not (List.exists (is_going s) Part.all)
 
-(* The samples a pixel that there is time for, if a share of it is spent: fifths
+(* The samples a pixel that there is time for, if a share of it is spent: parts
    that nobody asks any more take none. *)
 let affordable job s ~share =
-  let needed = List.length (List.filter (is_needed job s) Fifth.all) in
-  let part = float_of_int needed /. float_of_int Fifth.count in
+  let needed = List.length (List.filter (is_needed job s) Part.all) in
+  let part = float_of_int needed /. float_of_int Part.count in
   s.mean +. (share *. samples_left job s /. (part *. pixels job))
 
 (* How long samples take is known when some are taken: so not all the time that
@@ -331,12 +334,16 @@ let rec broaden job s =
   let affordable = affordable job s ~share:1. in
   let fits = float_of_int base <= base_share *. affordable in
   let has_error = s.squares > 0. in
-  if fits && has_error && base <= job.target.most then
+  if not has_error then finish job s
+  else if fits && base <= job.target.most then
     let* s = lay job s base in
     broaden job s
   else spend job s ~share:some_of_it
 
 let start job =
+  let fate part =
+    if Part.is_in job.window part then Going else Stopped { met = true }
+  in
   {
     mean = 0.;
     base = 0;
@@ -344,8 +351,9 @@ let start job =
       Allocation.make job.window ~base:1 ~cost:(fun _ _ -> 1.) (fun _ _ -> 1.);
     squares = nan;
     before = nan;
-    full = Array.make Fifth.count false;
-    fates = Array.make Fifth.count Going;
+    full = Array.make Part.count false;
+    fates = Array.init Part.count fate;
+    kept = None;
     taken = 0.;
     rate = 0.;
     forecasts = [];

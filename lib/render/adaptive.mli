@@ -4,18 +4,17 @@
     The number of all samples climbs a ladder whose rungs no sample has a say
     in: four a pixel, and then more by 2{^ 1/8} each. At first nearly all go to
     all pixels alike, from eight a pixel on a quarter to a half of them; the
-    others go where {!Allocation} says. A {!Fifth} stops at the first rung at
+    others go where {!Allocation} says. A {!Part} stops at the first rung at
     which its judges' pixels, as they stand there, show an error that is small
     enough for the whole picture ({!Sampling.cautious}), or all that may have
     more have the most. It stays as it is then; others may go on for a while.
 
     {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
     pictures, over seeds, is the mean of all samples: how many a pixel has is a
-    function of the samples of other fifths. A fifth asks its judges, for shares
-    and for the end; these ask theirs for shares only, and for what they showed
-    when all pixels had the same number; and no judge's judge is the fifth
-    again. (With [left], the clock has a say, and it knows what samples cost.)
-*)
+    function of the samples of other parts. For shares, a part asks its advisers
+    what they showed when all pixels had the same number; for the end, its
+    judges, none of which asks it for shares. (With [left], the clock has a say,
+    and it knows what samples cost.) *)
 
 type target = {
   error : float option;

@@ -1,6 +1,6 @@
 open Candor_sample
 
-type part = All | Fifth of int
+type part = All | Part of int
 
 type likes = {
   pixels : float;
@@ -13,7 +13,7 @@ type t = {
   window : Window.t;
   base : int;
   deviations : floatarray; (* √(v/c) of each pixel *)
-  fifths : likes array;
+  parts : likes array;
   all : likes;
 }
 
@@ -23,43 +23,34 @@ let place (w : Window.t) i =
 
 let index (w : Window.t) x y = ((y - w.y0) * Window.width w) + x - w.x0
 
-(* Of the pixels of each fifth. *)
+(* Of the pixels of each part. *)
 let indices window =
-  let lists = Array.make Fifth.count [] in
+  let lists = Array.make Part.count [] in
   for i = (Window.width window * Window.height window) - 1 downto 0 do
     let x, y = place window i in
-    let fifth = Fifth.of_pixel x y in
-    lists.(fifth) <- i :: lists.(fifth)
+    let part = Part.of_pixel x y in
+    lists.(part) <- i :: lists.(part)
   done;
   lists
 
 (* {1 What neighbours know} *)
 
-(* Those of some judges, with binomial weights of five pixels each way. *)
-let neighbours judges =
-  let weights = [| 1.; 4.; 6.; 4.; 1. |] and reach = 2 in
-  let steps = List.init 5 (fun i -> i - reach) in
-  let at dy dx = (dx, dy, weights.(dx + reach) *. weights.(dy + reach)) in
-  List.concat_map (fun dy -> List.map (at dy) steps) steps
-  |> List.filter (fun (dx, dy, _) -> List.mem (Fifth.of_pixel dx dy) judges)
-  |> Array.of_list
-
-(* The weighted means of the values around each pixel; 1, which is as good as any
-   number, where there are none: at the end of a lone row. *)
-let smooth (w : Window.t) values judges =
-  let neighbours = neighbours judges in
+(* The means of what some advisers of each pixel say; 1, which is as good as any
+   number, where there are none. *)
+let smooth (w : Window.t) values advisers =
+  let advisers = Array.of_list advisers in
   let around i =
     let x, y = place w i in
     (* Local mutation: two sums. *)
-    let sum = ref 0. and all = ref 0. in
-    for k = 0 to Array.length neighbours - 1 do
-      let dx, dy, weight = neighbours.(k) in
+    let sum = ref 0. and number = ref 0 in
+    for k = 0 to Array.length advisers - 1 do
+      let dx, dy = advisers.(k) in
       let x = x + dx and y = y + dy in
       if w.x0 <= x && x < w.x1 && w.y0 <= y && y < w.y1 then (
-        sum := !sum +. (weight *. Float.Array.get values (index w x y));
-        all := !all +. weight)
+        sum := !sum +. Float.Array.get values (index w x y);
+        incr number)
     done;
-    if !all > 0. then !sum /. !all else 1.
+    if !number > 0 then !sum /. float_of_int !number else 1.
   in
   Float.Array.init (Float.Array.length values) around
 
@@ -70,8 +61,8 @@ let mean_over indices f =
   sum /. Float.max 1. (float_of_int (List.length indices))
 
 (* How much of what sets these pixels apart is more than chance: what either
-   judge says of them are two measurements of the same, and the mean of both is
-   as reliable as follows from how far they agree (C. Spearman, Correlation
+   half of their advisers says are two measurements of the same, and the mean of
+   both is as reliable as follows from how far they agree (C. Spearman, Correlation
    Calculated from Faulty Data, British Journal of Psychology 3(3), 1910). *)
 let reliability indices a b =
   let centred values =
@@ -87,19 +78,21 @@ let reliability indices a b =
     2. *. r /. (1. +. r)
   else 0.
 
-(* As far as it is reliable; for the rest, pixels are alike. *)
+(* As far as it is reliable; for the rest, pixels of a part are alike. So are
+   they if nobody saw an error. *)
 let believed indices roots (a, b) =
   let get = Float.Array.get roots in
   (* Local mutation: filled here. *)
   let result = Float.Array.copy roots in
-  let of_fifth indices =
+  let of_part indices =
     let share = reliability indices a b and mean = mean_over indices get in
     let believe i =
-      Float.Array.set result i (mean +. (share *. (get i -. mean)))
+      Float.Array.set result i
+        (if mean > 0. then mean +. (share *. (get i -. mean)) else 1.)
     in
     List.iter believe indices
   in
-  Array.iter of_fifth indices;
+  Array.iter of_part indices;
   result
 
 (* {1 Classes of like pixels} *)
@@ -124,14 +117,14 @@ let of_table pixels table =
 (* Local mutation: tables are filled here. *)
 let classify window ~squares deviations =
   let table _ = Hashtbl.create 256 in
-  let tables = Array.init Fifth.count table and all = table () in
-  let pixels = Array.make Fifth.count 0 in
+  let tables = Array.init Part.count table and all = table () in
+  let pixels = Array.make Part.count 0 in
   let add i d =
     let x, y = place window i in
-    let fifth = Fifth.of_pixel x y in
-    pixels.(fifth) <- pixels.(fifth) + 1;
+    let part = Part.of_pixel x y in
+    pixels.(part) <- pixels.(part) + 1;
     if d > 0. then
-      enter tables.(fifth) (class_of d) (1., d, Float.Array.get squares i)
+      enter tables.(part) (class_of d) (1., d, Float.Array.get squares i)
   in
   Float.Array.iteri add deviations;
   Array.iter (Hashtbl.iter (enter all)) tables;
@@ -148,16 +141,16 @@ let make window ~base ~cost f =
   in
   let finite v = if Float.is_finite v then v else 0. in
   let values = over (fun x y -> finite (f x y)) in
-  let first, second = Fifth.judges 0 in
-  let both = [ first; second ] in
-  let roots judges = Float.Array.map sqrt (smooth window values judges) in
+  let first, second = Part.advisers in
+  let advisers = first @ second in
+  let roots advisers = Float.Array.map sqrt (smooth window values advisers) in
   let roots =
-    believed (indices window) (roots both) (roots [ first ], roots [ second ])
-  and costs = smooth window (over cost) both
-  and squares = smooth window values both in
+    believed (indices window) (roots advisers) (roots first, roots second)
+  and costs = smooth window (over cost) advisers
+  and squares = smooth window values advisers in
   let deviations = Float.Array.map2 (fun r c -> r /. sqrt c) roots costs in
-  let fifths, all = classify window ~squares deviations in
-  { window; base; deviations; fifths; all }
+  let parts, all = classify window ~squares deviations in
+  { window; base; deviations; parts; all }
 
 (* {1 Samples} *)
 
@@ -183,7 +176,7 @@ let samples a ~scale ~most x y =
 
 (* {1 Together} *)
 
-let likes a = function All -> a.all | Fifth i -> a.fifths.(i)
+let likes a = function All -> a.all | Part i -> a.parts.(i)
 
 let mean a part ~scale ~most =
   let likes = likes a part and base = float_of_int a.base in

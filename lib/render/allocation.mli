@@ -6,9 +6,9 @@
     {e On the Two Different Aspects of the Representative Method}, Journal of
     the Royal Statistical Society 97(4), 1934).
 
-    Each pixel is given as many samples as those of its neighbours ask for that
-    belong to the judges of its {!Fifth}, and so is each fifth as a whole. What
-    these say is believed as far as both judges agree. *)
+    Each pixel is given as many samples as the advisers of its {!Part} ask for,
+    and so is each part as a whole. What these say is believed as far as both
+    halves of them agree. *)
 
 type t
 
@@ -31,7 +31,7 @@ val samples : t -> scale:float -> most:int -> int -> int -> int
 (** {1 Together} *)
 
 (** Of which pixels: *)
-type part = All | Fifth of int
+type part = All | Part of int
 
 val mean : t -> part -> scale:float -> most:int -> float
 (** [mean a part ~scale ~most] is how many samples that makes for each pixel of

@@ -11,7 +11,7 @@ type t = {
   known : int array; (* of how many samples [sampling] is *)
   sampling : Sampling.t array;
   history : floatarray array; (* squares after each doubling of four samples *)
-  fifths : Sampling.t array;
+  parts : Sampling.t array;
   first : int array; (* samples taken when there were fewer than four *)
   work : int array; (* rays and tests that these took *)
   left_out : floatarray; (* what was cut, as in Tally *)
@@ -29,7 +29,7 @@ let make ~x0 ~x1 y =
     known = Array.make width 0;
     sampling = Array.make width Sampling.none;
     history = Array.make Sys.int_size (Float.Array.create 0);
-    fifths = Array.make Fifth.count Sampling.none;
+    parts = Array.make Part.count Sampling.none;
     first = Array.make width 0;
     work = Array.make width 0;
     left_out = Float.Array.make (3 * width) 0.;
@@ -102,10 +102,10 @@ let step pixel row wants =
   update row
 
 let sum_up row =
-  Array.fill row.fifths 0 Fifth.count Sampling.none;
+  Array.fill row.parts 0 Part.count Sampling.none;
   for i = 0 to width row - 1 do
-    let fifth = Fifth.of_pixel (row.x0 + i) row.y in
-    row.fifths.(fifth) <- Sampling.join row.fifths.(fifth) row.sampling.(i)
+    let part = Part.of_pixel (row.x0 + i) row.y in
+    row.parts.(part) <- Sampling.join row.parts.(part) row.sampling.(i)
   done
 
 let take pixel row want =
@@ -121,7 +121,7 @@ let take pixel row want =
 let work (row : t) i =
   float_of_int row.work.(i) /. float_of_int (Int.max 1 row.first.(i))
 
-let of_fifth (row : t) fifth = row.fifths.(fifth)
+let of_part (row : t) part = row.parts.(part)
 
 (* {1 Results} *)
 
@@ -129,13 +129,13 @@ type result = {
   pixels : floatarray;
   counts : int array;
   cut : floatarray;
-  fifths : Sampling.t array;
+  parts : Sampling.t array;
   non_finite : (int * int) option;
   tally : Tally.t;
   words : float;
 }
 
-let sampling r = Array.fold_left Sampling.join Sampling.none r.fifths
+let sampling r = Array.fold_left Sampling.join Sampling.none r.parts
 
 let set_rgb a i (c : Rgb.t) =
   Float.Array.set a (3 * i) c.r;
@@ -169,27 +169,30 @@ let result (row : t) =
       Float.Array.mapi
         (fun i w -> w /. float_of_int row.counts.(i / 3))
         row.left_out;
-    fifths = Array.copy row.fifths;
+    parts = Array.copy row.parts;
     non_finite = first_non_finite row pixels;
     tally = row.tally;
     words = row.words;
   }
 
-let of_fifths (row : t) result =
-  let parts = Array.init Fifth.count result in
-  let of_pixel i = parts.(Fifth.of_pixel (row.x0 + i) row.y) in
+let merge (row : t) ~is_settled before now =
+  let of_pixel i =
+    if is_settled (Part.of_pixel (row.x0 + i) row.y) then before else now
+  in
   let channels f =
     Float.Array.init
       (3 * width row)
       (fun k -> Float.Array.get (f (of_pixel (k / 3))) k)
   in
   let pixels = channels (fun r -> r.pixels) in
+  let of_part part (_ : Sampling.t) =
+    (if is_settled part then before else now).parts.(part)
+  in
   {
+    now with
     pixels;
     counts = Array.init (width row) (fun i -> (of_pixel i).counts.(i));
     cut = channels (fun r -> r.cut);
-    fifths = Array.mapi (fun fifth r -> r.fifths.(fifth)) parts;
+    parts = Array.mapi of_part now.parts;
     non_finite = first_non_finite row pixels;
-    tally = row.tally;
-    words = row.words;
   }

@@ -27,9 +27,9 @@ val work : t -> int -> float
 (** [work row i] is how many rays and tests each sample of the [i]-th pixel
     took, on average, of those it was given when it had fewer than four. *)
 
-val of_fifth : t -> int -> Sampling.t
-(** [of_fifth row i] is what their samples say of the error of the pixels of
-    {!Fifth} [i]. *)
+val of_part : t -> int -> Sampling.t
+(** [of_part row i] is what their samples say of the error of the pixels of
+    {!Part} [i]. *)
 
 (** {1 Results} *)
 
@@ -38,7 +38,7 @@ type result = {
   counts : int array;  (** how many samples each has *)
   cut : floatarray;
       (** red, green and blue of the mean weight of what was cut in each *)
-  fifths : Sampling.t array;  (** of each {!Fifth}'s pixels *)
+  parts : Sampling.t array;  (** of each {!Part}'s pixels *)
   non_finite : (int * int) option;  (** the first pixel that is *)
   tally : Tally.t;  (** of all that is done for the row, later too *)
   words : float;  (** that taking samples allocated in the minor heap *)
@@ -51,6 +51,6 @@ val result : t -> result
 val sampling : result -> Sampling.t
 (** [sampling r] is what they say of the error of the whole row. *)
 
-val of_fifths : t -> (int -> result) -> result
-(** [of_fifths row r] has the pixels of each fifth as its earlier result [r i]
-    has them, but all that was done for [row]. *)
+val merge : t -> is_settled:(int -> bool) -> result -> result -> result
+(** [merge row ~is_settled before now] has the pixels of the {!Part}s that are
+    settled as the earlier result [before] has them, and all else as [now]. *)

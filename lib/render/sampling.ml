@@ -23,15 +23,6 @@ let join a b =
     fourth = a.fourth +. b.fourth;
   }
 
-let times k s =
-  {
-    values = k *. s.values;
-    unknown = k *. s.unknown;
-    quarter = k *. s.quarter;
-    half = k *. s.half;
-    fourth = k *. s.fourth;
-  }
-
 (* {1 From samples} *)
 
 let streams = Sampler.streams
@@ -160,12 +151,9 @@ let upper ~confidence s =
   let k = Normal.quantile confidence in
   Option.map (fun rms -> times_exp rms k (deviation s)) (rms s)
 
-(* Errors of parts that stop here and there scatter as the logarithms of what
-   their judges say: by d² / share in the mean square's logarithm. Half of that
-   is how far their mean is above their median; as much again is for stopping at
-   the first of many looks that says so. *)
-let cautious ~confidence ~share s =
-  let whole = times (1. /. share) s in
-  let d = deviation whole in
-  let k = Normal.quantile confidence +. (d /. share) in
-  Option.map (fun rms -> times_exp rms k d) (rms whole)
+(* Half a deviation more: who stops at the first of many looks that says so
+   stops a little early. *)
+let cautious ~confidence s =
+  let d = deviation s in
+  let k = Normal.quantile confidence +. (0.5 *. d) in
+  Option.map (fun rms -> times_exp rms k d) (rms s)

@@ -26,10 +26,6 @@ val join : t -> t -> t
 (** [join a b] is of the pixels of both. Sums depend on the order in which they
     are made, in their last bits. *)
 
-val times : float -> t -> t
-(** [times k s] is what is known of [k] times as many pixels, if all are like
-    those of [s]. *)
-
 val pixel : floatarray -> int -> samples:int -> t
 (** [pixel sums i ~samples] is of one pixel, whose first [samples] samples are
     summed in the {!Candor_trace.Pixel.slots} of [sums] from [i] on. *)
@@ -62,7 +58,7 @@ val upper : confidence:float -> t -> float option
 (** [upper ~confidence s] is at least the RMS error with probability
     [confidence]. *)
 
-val cautious : confidence:float -> share:float -> t -> float option
-(** [cautious ~confidence ~share s] is what to compare with a target before a
-    part of a picture is stopped, if [s] is of other parts of it, a [share] of
-    its pixels, in \]0, 1\]: above {!upper}, the more the less is known. *)
+val cautious : confidence:float -> t -> float option
+(** [cautious ~confidence s] is what to compare with a target that a picture is
+    to stop at, if it is looked at again and again: above {!upper}, the more the
+    less is known. *)

@@ -22,11 +22,11 @@ let read name =
 
 let sized ~width ~height name = { (read name) with width; height }
 
-let case ?(width = 24) ?(height = 18) spp name =
+let case ?(width = 48) ?(height = 36) spp name =
   { scene = sized ~width ~height name; name; spp }
 
 (* What takes longer is smaller. *)
-let slow = case ~width:16 ~height:12 [ 16 ]
+let slow = case ~width:32 ~height:24 [ 16 ]
 let usual = case [ 16 ]
 let twice = case [ 16; 64 ]
 
@@ -38,6 +38,7 @@ let all () =
         "cornell";
         "focus";
         "glazed-floor";
+        "glints";
         "gloss";
         "hero";
         "jade";

@@ -3,7 +3,7 @@ open Candor_oracle
 open QCheck2
 
 (* A pixel of four streams that differ so much, many times. *)
-let sampling ~differ ~pixels =
+let sampling ~differ ~doublings =
   let sums = Float.Array.make Candor_trace.Pixel.slots 0. in
   List.iteri
     (fun i x ->
@@ -13,12 +13,15 @@ let sampling ~differ ~pixels =
           (0.5 +. (differ *. x))
       done)
     [ -1.; 0.3; 0.9; -0.2 ];
-  Sampling.times pixels (Sampling.pixel sums 0 ~samples:4)
+  let rec doubled n s =
+    if n = 0 then s else doubled (n - 1) (Sampling.join s s)
+  in
+  doubled doublings (Sampling.pixel sums 0 ~samples:4)
 
 type case = {
   law : float option;
   differ : float;
-  pixels : float;
+  doublings : int;
   taken : float;
   total : float;
 }
@@ -27,20 +30,20 @@ let case =
   let open Gen in
   let* law = option (Draw.uniform 1. 1.5)
   and* differ = Draw.pick [ 0.; 0.001; 0.1 ]
-  and* pixels = Draw.pick [ 1.; 100.; 1e6 ]
+  and* doublings = Draw.pick [ 0; 7; 20 ]
   and* taken = Draw.uniform 0. 1e4 in
   let+ total = Draw.uniform 0. 1e6 in
-  { law; differ; pixels; taken; total }
+  { law; differ; doublings; taken; total }
 
 let print c =
-  Printf.sprintf "law %s, differ %g, %g pixels, %g taken, %g in all"
+  Printf.sprintf "law %s, differ %g, 2^%d pixels, %g taken, %g in all"
     (Option.fold ~none:"unknown" ~some:string_of_float c.law)
-    c.differ c.pixels c.taken c.total
+    c.differ c.doublings c.taken c.total
 
 let law name f = Law.law ~print name case f
 
 let both c =
-  let s = sampling ~differ:c.differ ~pixels:c.pixels in
+  let s = sampling ~differ:c.differ ~doublings:c.doublings in
   [
     Forecast.for_error ~law:c.law s ~taken:c.taken c.total;
     Forecast.for_time s ~taken:c.taken c.total;
@@ -55,7 +58,7 @@ let in_order c =
 
 (* With a law that was found, what was reckoned with it is what is said. *)
 let as_reckoned c =
-  let s = sampling ~differ:c.differ ~pixels:c.pixels in
+  let s = sampling ~differ:c.differ ~doublings:c.doublings in
   let law = Some (Option.value c.law ~default:1.2) in
   let f = Forecast.for_error ~law s ~taken:c.taken c.total in
   let expected = Float.max c.taken c.total in
@@ -66,13 +69,13 @@ let width (f : Forecast.t) = f.high /. f.low
 
 (* The better an error is known, the better is what follows from it. *)
 let surer c =
-  let forecast ~law pixels =
-    let s = sampling ~differ:0.1 ~pixels in
+  let forecast ~law doublings =
+    let s = sampling ~differ:0.1 ~doublings in
     Forecast.for_error ~law s ~taken:1. (10. +. c.total)
   in
   let law = Some 1.25 in
-  width (forecast ~law 1e6) < width (forecast ~law 10.)
-  && width (forecast ~law 1e6) < width (forecast ~law:None 1e6)
+  width (forecast ~law 20) < width (forecast ~law 3)
+  && width (forecast ~law 20) < width (forecast ~law:None 20)
 
 let suite =
   ( "forecasts",

@@ -9,7 +9,7 @@ let () =
       Test_window.suite;
       Test_row.suite;
       Test_sampling.suite;
-      Test_fifth.suite;
+      Test_part.suite;
       Test_allocation.suite;
       Test_forecast.suite;
       Test_adaptive.suite;

@@ -50,7 +50,7 @@ let in_passes (s, y, passes) =
   && a.counts = Array.init s.width want
   && a.counts = b.counts
   && bits a.pixels = bits b.pixels
-  && a.fifths = b.fifths
+  && a.parts = b.parts
   && a.non_finite = b.non_finite
   && camera a.tally = camera b.tally
   && camera a.tally = Array.fold_left ( + ) 0 a.counts
@@ -59,7 +59,7 @@ let as_pixels (s, y, _) =
   let picture = Shot.picture s in
   let r = row s y in
   Row.take (Pixel.compile s) r (fun _ -> s.settings.spp);
-  let ({ Row.pixels; fifths; _ } as result) = Row.result r in
+  let ({ Row.pixels; parts; _ } as result) = Row.result r in
   let at i =
     Rgb.v
       (Float.Array.get pixels (3 * i))
@@ -70,9 +70,9 @@ let as_pixels (s, y, _) =
   Row.width r = s.width
   && List.for_all (fun i -> Rgb.equal (at i) (Picture.pixel picture i y)) all
   && List.for_all
-       (fun fifth -> Row.of_fifth r fifth = fifths.(fifth))
-       (List.init Fifth.count Fun.id)
-  && Row.sampling result = Array.fold_left Sampling.join Sampling.none fifths
+       (fun part -> Row.of_part r part = parts.(part))
+       (List.init Part.count Fun.id)
+  && Row.sampling result = Array.fold_left Sampling.join Sampling.none parts
 
 (* Whatever a pixel went through since, it knows what it showed at each doubling
    of four samples. *)
@@ -131,6 +131,36 @@ let kept () =
   Alcotest.(check bool) "its pixels" true (pixels = bits first.pixels);
   Alcotest.(check (array int)) "now" [| 5; 6; 7 |] (Row.result r).counts
 
+(* Even parts as they were after the first pass, odd ones as they are now. *)
+let merged (s, y, passes) =
+  let pixel = Pixel.compile s and r = row s y in
+  Row.take pixel r (fun _ -> 1);
+  let before = Row.result r in
+  List.iter (fun p -> Row.take pixel r (fun i -> p.(i))) passes;
+  let now = Row.result r in
+  let is_settled part = part mod 2 = 0 in
+  let merged = Row.merge r ~is_settled before now in
+  let source part = if is_settled part then before else now in
+  let as_source i =
+    let source = source (Part.of_pixel i y) in
+    let same of_result k =
+      Float.equal
+        (Float.Array.get (of_result merged) k)
+        (Float.Array.get (of_result source) k)
+    in
+    merged.counts.(i) = source.counts.(i)
+    && List.for_all
+         (fun k ->
+           same (fun (r : Row.result) -> r.pixels) k
+           && same (fun (r : Row.result) -> r.cut) k)
+         [ 3 * i; (3 * i) + 1; (3 * i) + 2 ]
+  in
+  List.for_all as_source (List.init s.width Fun.id)
+  && List.for_all
+       (fun part -> merged.parts.(part) = (source part).parts.(part))
+       Part.all
+  && merged.tally == now.tally && merged.words = now.words
+
 let suite =
   ( "rows",
     [
@@ -141,5 +171,6 @@ let suite =
         remembered;
       Law.law ~count:50 ~print "work is that of the first four samples" asked
         worked;
+      Law.law ~count:100 ~print "settled parts are as they were" asked merged;
       Law.example "what was told stays so" kept;
     ] )
