@@ -37,7 +37,8 @@ type state = {
   fates : fate array;
   kept : Row.result array option; (* since the first part stopped *)
   taken : float; (* samples *)
-  rate : float; (* seconds for each of the last *)
+  effort : float; (* rays and tests *)
+  rate : float; (* seconds for each of the last of these *)
   forecasts : Forecast.t list; (* last first *)
 }
 
@@ -54,19 +55,20 @@ let ( let* ) = Option.bind
 
 (* {1 Passes} *)
 
-let count rows =
-  float_of_int (Array.fold_left (fun n row -> n + Row.total row) 0 rows)
+let sum_over rows f =
+  float_of_int (Array.fold_left (fun n row -> n + f row) 0 rows)
 
 let pass job s wanted =
   let before = left job in
   let* () = job.pass wanted in
-  let taken = count job.rows in
-  let more = taken -. s.taken in
+  let taken = sum_over job.rows Row.total in
+  let effort = sum_over job.rows Row.effort in
+  let more = effort -. s.effort in
   let rate =
     if before < infinity && more > 0. then (before -. left job) /. more
     else s.rate
   in
-  Some { s with taken; rate }
+  Some { s with taken; effort; rate }
 
 (* {1 Judges} *)
 
@@ -140,15 +142,13 @@ let judge job s =
 
 (* {1 The end} *)
 
-(* Beyond reasonable doubt: the error is larger with 99 %. *)
-let conviction = 0.98
-
+(* What the ledger says of it is not to be at odds with its numbers. *)
 let is_contradicted job results =
   let add sum r = Sampling.join sum (Row.sampling r) in
-  let all = Array.fold_left add Sampling.none results in
-  let interval = Sampling.interval ~confidence:conviction all in
-  match (job.target.error, interval) with
-  | Some error, Some { low; _ } -> low > error
+  match
+    (job.target.error, Sampling.rms (Array.fold_left add Sampling.none results))
+  with
+  | Some error, Some rms -> rms > error
   | Some _, None -> true
   | None, (Some _ | None) -> false
 
@@ -265,10 +265,10 @@ let next_rung job total =
   in
   from 0
 
-(* As many as there is time for. *)
+(* As many as there is time for, where the allocation wants them. *)
 let samples_left job s =
   let left = left job in
-  if left > 0. then left /. s.rate else 0.
+  if left > 0. then left /. (s.rate *. Allocation.work s.allocation) else 0.
 
 let forecast job s =
   let all = joined (samplings job) Part.all and taken = s.taken in
@@ -355,6 +355,7 @@ let start job =
     fates = Array.init Part.count fate;
     kept = None;
     taken = 0.;
+    effort = 0.;
     rate = 0.;
     forecasts = [];
   }
@@ -365,7 +366,7 @@ let run window rows target ~pass ~expect =
     { window; rows; target; pass; expect; allowed = time_left target }
   in
   let* s = lay job (start job) 1 in
-  let more = float_of_int (streams - 1) *. pixels job in
+  let more = float_of_int (streams - 1) *. s.effort in
   if target.most >= streams && left job >= more *. s.rate then
     let* s = lay job s streams in
     if Option.is_some target.error then climb job (judge job s) ~rung:0

@@ -29,8 +29,8 @@ type target = {
 type ending =
   | Met  (** the error is met *)
   | Misjudged
-      (** all judges said so, but together the pixels say, with 99 % confidence,
-          that their error is larger *)
+      (** all judges said so, but by what the pixels say together their error is
+          likely larger *)
   | Out_of_time
   | Out_of_samples
       (** all pixels that seem to have an error have the most, or a sample is

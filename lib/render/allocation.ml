@@ -15,6 +15,7 @@ type t = {
   deviations : floatarray; (* √(v/c) of each pixel *)
   parts : likes array;
   all : likes;
+  work : float;
 }
 
 let place (w : Window.t) i =
@@ -131,6 +132,10 @@ let classify window ~squares deviations =
   ( Array.map2 of_table pixels tables,
     of_table (Float.Array.length deviations) all )
 
+let mean_weighted ~by:weights values =
+  let sum = Float.Array.fold_left ( +. ) 0. in
+  sum (Float.Array.map2 ( *. ) weights values) /. sum weights
+
 let make window ~base ~cost f =
   let over value =
     Float.Array.init
@@ -150,7 +155,10 @@ let make window ~base ~cost f =
   and squares = smooth window values advisers in
   let deviations = Float.Array.map2 (fun r c -> r /. sqrt c) roots costs in
   let parts, all = classify window ~squares deviations in
-  { window; base; deviations; parts; all }
+  let work = mean_weighted ~by:deviations costs in
+  { window; base; deviations; parts; all; work }
+
+let work a = a.work
 
 (* {1 Samples} *)
 

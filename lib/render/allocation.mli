@@ -28,6 +28,9 @@ val samples : t -> scale:float -> most:int -> int -> int -> int
     power of two, or [most]: of the two nearest one at random, by the pixel's
     place. *)
 
+val work : t -> float
+(** [work a] is what a sample beyond the base costs, on average. *)
+
 (** {1 Together} *)
 
 (** Of which pixels: *)

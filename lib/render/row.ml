@@ -40,6 +40,10 @@ let make ~x0 ~x1 y =
 let width row = Array.length row.counts
 let total row = Array.fold_left ( + ) 0 row.counts
 
+let effort (row : t) =
+  Tally.total_rays row.tally
+  + Candor_surface.Effort.tests (Tally.effort row.tally)
+
 (* {1 Samples} *)
 
 (* How often four were doubled. *)
@@ -76,10 +80,6 @@ let update row =
       remember row i ~samples (Sampling.squares sampling))
   done
 
-let done_so_far (row : t) =
-  Tally.total_rays row.tally
-  + Candor_surface.Effort.tests (Tally.effort row.tally)
-
 (* Each pixel is taken to what it wants, but not past a doubling. *)
 let step pixel row wants =
   let words = Gc.minor_words () in
@@ -89,12 +89,12 @@ let step pixel row wants =
     let until =
       if from < Sampler.streams then until else Int.min until (2 * from)
     in
-    let before = done_so_far row in
+    let before = effort row in
     Pixel.add pixel row.tally ~x:(row.x0 + i) ~y:row.y ~from ~until row.sums
       (Pixel.slots * i);
     if from < Sampler.streams then (
       row.first.(i) <- until;
-      row.work.(i) <- row.work.(i) + done_so_far row - before);
+      row.work.(i) <- row.work.(i) + effort row - before);
     Tally.move_left_out row.tally row.left_out (3 * i);
     row.counts.(i) <- until
   done;

@@ -18,6 +18,9 @@ val take : Pixel.t -> t -> (int -> int) -> unit
 val total : t -> int
 (** [total row] is how many samples its pixels have. *)
 
+val effort : t -> int
+(** [effort row] is how many rays and tests they took. *)
+
 val squares : t -> samples:int -> int -> float
 (** [squares row ~samples i] is {!Sampling.squares} of the [i]-th pixel's first
     [samples] samples, if these are 4·2{^ k}, some {!take} left the pixel with

@@ -282,6 +282,17 @@ let costly () =
   Alcotest.(check (float 0.4)) "dear" 20. (mean 10);
   Alcotest.(check (float 0.8)) "cheap" 40. (mean 120)
 
+(* What samples beyond the base cost, by those that are wanted. *)
+let worked () =
+  let cost x _ = if x < 100 then 4. else 1. in
+  let noise x _ = if x < 100 then 4. else 1. in
+  let a = Allocation.make (window 200 100) ~base:4 ~cost noise in
+  (* √(4/4) and √(1/1) are equal shares. *)
+  Alcotest.(check (float 0.05)) "even shares" 2.5 (Allocation.work a);
+  let a = Allocation.make (window 200 100) ~base:4 ~cost (fun _ _ -> 1.) in
+  (* Twice as many where they are cheap. *)
+  Alcotest.(check (float 0.05)) "mostly cheap" 2. (Allocation.work a)
+
 let share = Draw.uniform 0. 1.
 let index = Gen.int_bound (Part.count - 1)
 
@@ -307,6 +318,7 @@ let suite =
       Law.example "neighbours ask for more" neighbours_told;
       Law.example "what advisers do not agree on is chance" chance;
       Law.example "what costs four times as much has half as many" costly;
+      Law.example "the work of a sample is that where it goes" worked;
       law "numbers are the same again, in any order" scale one again;
       law "they add up to what was announced, about" scale one counted;
       law "from the base everywhere to the most where there is an error" scale

@@ -115,7 +115,8 @@ let worked (s, y, _) =
       (fun sum i -> sum +. (4. *. Row.work r i))
       0. (List.init s.width Fun.id)
   in
-  sum = taken || Law.fail "%g instead of %g" sum taken
+  (sum = taken || Law.fail "%g instead of %g" sum taken)
+  && Row.effort r = count ()
 
 (* A result stays as it is while further samples are taken. *)
 let kept () =
