@@ -108,7 +108,8 @@ let results job = Array.map Row.result job.rows
 let is_full job s part =
   if are_together job then Array.for_all Fun.id s.full else s.full.(part)
 
-(* A pixel that is not finite stays so, and no error is met. *)
+(* A pixel that is not finite stays so, and no error is met. (Those that it does
+   not judge go on: it has no say in how many samples they have.) *)
 let is_hopeless job s sampling =
   Option.is_some job.target.error
   && s.base >= streams
@@ -142,13 +143,14 @@ let judge job s =
 
 (* {1 The end} *)
 
-(* What the ledger says of it is not to be at odds with its numbers. *)
+(* What the ledger says of it is not to be at odds with its numbers; unless who
+   asked for less than an even chance got what was asked for. *)
 let is_contradicted job results =
   let add sum r = Sampling.join sum (Row.sampling r) in
-  match
-    (job.target.error, Sampling.rms (Array.fold_left add Sampling.none results))
-  with
-  | Some error, Some rms -> rms > error
+  let all = Array.fold_left add Sampling.none results in
+  let confidence = Float.min 0.5 job.target.confidence in
+  match (job.target.error, Sampling.upper ~confidence all) with
+  | Some error, Some upper -> upper > error
   | Some _, None -> true
   | None, (Some _ | None) -> false
 
@@ -328,15 +330,17 @@ let rec climb job s ~rung =
       let* s = share_out job s mean in
       climb job s ~rung
 
-(* While there is time for a larger base, for those who ask for no error. *)
+(* While there is time for a larger base, for those who ask for no error: a third
+   of all work at least is left for the others. All pixels have as many samples
+   here, so twice as many are twice the work. *)
 let rec broaden job s =
-  let base = 2 * s.base and s = forecast job s in
-  let affordable = affordable job s ~share:1. in
-  let fits = float_of_int base <= base_share *. affordable in
-  let has_error = s.squares > 0. in
+  let s = forecast job s in
+  let work = s.effort +. (Float.max 0. (left job) /. s.rate) in
+  let fits = 2. *. s.effort <= 2. /. 3. *. work
+  and has_error = s.squares > 0. in
   if not has_error then finish job s
-  else if fits && base <= job.target.most then
-    let* s = lay job s base in
+  else if fits && 2 * s.base <= job.target.most then
+    let* s = lay job s (2 * s.base) in
     broaden job s
   else spend job s ~share:some_of_it
 

@@ -1,13 +1,14 @@
 (** Samples where they lower the error of the displayed picture most, until it
     is small enough or time is up.
 
-    The number of all samples climbs a ladder whose rungs no sample has a say
-    in: four a pixel, and then more by 2{^ 1/8} each. At first nearly all go to
-    all pixels alike, from eight a pixel on a quarter to a half of them; the
-    others go where {!Allocation} says. A {!Part} stops at the first rung at
-    which its judges' pixels, as they stand there, show an error that is small
-    enough for the whole picture ({!Sampling.cautious}), or all that may have
-    more have the most. It stays as it is then; others may go on for a while.
+    The number of samples that are shared out climbs a ladder whose rungs no
+    sample has a say in: four a pixel, and then more by 2{^ 1/8} each. At first
+    nearly all go to all pixels alike, from eight a pixel on a quarter to a half
+    of them; the others go where {!Allocation} says. A {!Part} stops at the
+    first rung at which its judges' pixels, as they stand there, show an error
+    that is small enough for the whole picture ({!Sampling.cautious}), or a
+    sample that is not finite, or all that may have more have the most. It stays
+    as it is then; others may go on for a while.
 
     {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
     pictures, over seeds, is the mean of all samples: how many a pixel has is a

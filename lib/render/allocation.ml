@@ -148,11 +148,13 @@ let make window ~base ~cost f =
   let values = over (fun x y -> finite (f x y)) in
   let first, second = Part.advisers in
   let advisers = first @ second in
-  let roots advisers = Float.Array.map sqrt (smooth window values advisers) in
+  let squares = smooth window values advisers in
+  let roots of_some = Float.Array.map sqrt (smooth window values of_some) in
   let roots =
-    believed (indices window) (roots advisers) (roots first, roots second)
-  and costs = smooth window (over cost) advisers
-  and squares = smooth window values advisers in
+    believed (indices window)
+      (Float.Array.map sqrt squares)
+      (roots first, roots second)
+  and costs = smooth window (over cost) advisers in
   let deviations = Float.Array.map2 (fun r c -> r /. sqrt c) roots costs in
   let parts, all = classify window ~squares deviations in
   let work = mean_weighted ~by:deviations costs in

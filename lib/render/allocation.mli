@@ -6,9 +6,10 @@
     {e On the Two Different Aspects of the Representative Method}, Journal of
     the Royal Statistical Society 97(4), 1934).
 
-    Each pixel is given as many samples as the advisers of its {!Part} ask for,
-    and so is each part as a whole. What these say is believed as far as both
-    halves of them agree. *)
+    What a pixel's error is, the advisers of its {!Part} say, who are believed
+    as far as both halves of them agree. They tell how the samples of a part are
+    shared out among its pixels; how many these are together is for the caller
+    to say ({!for_mean}). *)
 
 type t
 
@@ -29,7 +30,7 @@ val samples : t -> scale:float -> most:int -> int -> int -> int
     place. *)
 
 val work : t -> float
-(** [work a] is what a sample beyond the base costs, on average. *)
+(** [work a] is what a sample beyond the base costs, on average, about. *)
 
 (** {1 Together} *)
 

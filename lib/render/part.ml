@@ -7,11 +7,16 @@ let advisers =
   ( [ (1, 0); (-1, 0); (1, 1); (-1, -1); (0, 2); (0, -2) ],
     [ (0, 1); (0, -1); (1, -1); (-1, 1); (2, 0); (-2, 0) ] )
 
-let judges i =
-  let advises (dx, dy) = modulo (i - of_pixel dx dy) in
+(* Offsets come in opposite pairs: it advises those that advise it. *)
+let judges =
   let first, second = advisers in
-  let not_asked = i :: List.map advises (first @ second) in
-  List.filter (fun j -> not (List.mem j not_asked)) all
+  let of_part i =
+    let near (dx, dy) = modulo (i + of_pixel dx dy) in
+    let not_asked = i :: List.map near (first @ second) in
+    List.filter (fun j -> not (List.mem j not_asked)) all
+  in
+  let lists = Array.init count of_part in
+  fun i -> lists.(i)
 
 let is_in (w : Window.t) i =
   let rows = List.init (Int.min count (Window.height w)) (fun j -> w.y0 + j) in

@@ -18,7 +18,8 @@ val all : int list
 
 val advisers : (int * int) list * (int * int) list
 (** [advisers] is where the neighbours are that advise a pixel, in columns and
-    rows from it: two groups alike, six around it each. *)
+    rows from it: two groups alike, six around it each. It advises them in turn.
+*)
 
 val judges : int -> int list
 (** [judges i] is the 48 parts that judge part [i]. *)

@@ -89,10 +89,11 @@ let step pixel row wants =
     let until =
       if from < Sampler.streams then until else Int.min until (2 * from)
     in
-    let before = effort row in
+    let is_first = from < Sampler.streams in
+    let before = if is_first then effort row else 0 in
     Pixel.add pixel row.tally ~x:(row.x0 + i) ~y:row.y ~from ~until row.sums
       (Pixel.slots * i);
-    if from < Sampler.streams then (
+    if is_first then (
       row.first.(i) <- until;
       row.work.(i) <- row.work.(i) + effort row - before);
     Tally.move_left_out row.tally row.left_out (3 * i);

@@ -179,8 +179,9 @@ let sum = List.fold_left ( +. ) 0.
 let pixels c = float_of_int (c.width * c.height)
 let total c a ~scale = pixels c *. Allocation.mean a All ~scale ~most:c.most
 
-(* Classes are a sixteenth of an octave of squares wide, which moves a root by
-   2.2 %. Between powers of two a coin decides, of which each pixel has one:
+(* Classes are an eighth of an octave of roots wide and count with their mean, so
+   only one that the base or the most cuts through is off: 2.3 % are enough.
+   Between powers of two a coin decides, of which each pixel has one:
    what that adds has a deviation of half the number or less. *)
 let counted (c, scale) =
   let a = make c in
