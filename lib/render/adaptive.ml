@@ -330,17 +330,16 @@ let rec climb job s ~rung =
       let* s = share_out job s mean in
       climb job s ~rung
 
-(* While there is time for a larger base, for those who ask for no error: a third
-   of all work at least is left for the others. All pixels have as many samples
-   here, so twice as many are twice the work. *)
+(* While there is time for a larger base, for those who ask for no error. All
+   pixels have as many samples here: another such amount of work makes twice the
+   base, and a third leaves at least as much as one for the others. *)
 let rec broaden job s =
-  let s = forecast job s in
-  let work = s.effort +. (Float.max 0. (left job) /. s.rate) in
-  let fits = 2. *. s.effort <= 2. /. 3. *. work
-  and has_error = s.squares > 0. in
+  let s = forecast job s and base = 2 * s.base in
+  let work_left = Float.max 0. (left job) /. s.rate in
+  let fits = 2. *. s.effort <= work_left and has_error = s.squares > 0. in
   if not has_error then finish job s
-  else if fits && 2 * s.base <= job.target.most then
-    let* s = lay job s (2 * s.base) in
+  else if fits && base <= job.target.most then
+    let* s = lay job s base in
     broaden job s
   else spend job s ~share:some_of_it
 

@@ -72,6 +72,10 @@ let met () =
     let s = noisy ~size:(32, 24) ~seed () in
     let r = adaptive (target ~error ~confidence ()) s in
     forecasts r;
+    (match Sampling.interval ~confidence:0.99 r.sampling with
+    | Some { low; _ } when low <= error -> ()
+    | Some { low; _ } -> Alcotest.failf "seed %d: %g at least" seed low
+    | None -> Alcotest.failf "seed %d: unknown" seed);
     match ((aim r).ending, Sampling.rms r.sampling) with
     | Met, Some rms when rms <= error -> true
     | Misjudged, Some rms when rms > error -> false
