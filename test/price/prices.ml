@@ -1,6 +1,7 @@
 (* How good price lists are: for each scene a list within a budget, then the
    whole picture at the samples that the list predicts to reach an error, and
-   what that took and reached. *)
+   what that took and reached. The ratio of rays is free of what else the machine
+   does. *)
 
 open Candor_scene
 open Candor_render
@@ -23,7 +24,12 @@ let shrunk (s : Scene.t) pixels =
 let with_samples (s : Scene.t) spp seed =
   { s with settings = { s.settings with spp; seed = s.settings.seed + seed } }
 
-type render = { picture : Picture.t; wall : float; work : float }
+type render = {
+  picture : Picture.t;
+  wall : float;
+  work : float;  (** processor time, as if it were shared out evenly *)
+  rays : float;  (** for each pixel *)
+}
 
 let render scene =
   let pixel = Pixel.compile scene in
@@ -35,6 +41,9 @@ let render scene =
         picture = r.picture;
         wall = r.seconds;
         work = (Sys.time () -. before) /. float_of_int domains;
+        rays =
+          float_of_int (Candor_effect.Tally.total_rays r.tally)
+          /. float_of_int (scene.width * scene.height);
       }
 
 (* The error of one of two independent pictures, from their difference. *)
@@ -75,14 +84,20 @@ let report file scene (p : Price.t) (q : Price.prediction) =
   let reached = error first.picture second.picture in
   let expected = Option.value (Appraisal.error_at p q.spp) ~default:nan in
   let finest = List.nth p.ladder (List.length p.ladder - 1) in
+  let rays =
+    finest.measure.rays_per_pixel *. float_of_int q.spp
+    /. float_of_int finest.spp
+  in
   Printf.printf
     "%-20s %6d px to %4d spp in %4.1f s | %5d spp: %6.2f s (%.2f..%.2f), took \
-     %6.2f (work %6.2f) ratio %.2f | error <= %4.2f: %5.3f, reached %5.3f \
-     ratio %.2f\n\
+     %6.2f (work %6.2f) ratio %.2f, of rays %.2f | error <= %4.2f: %5.3f, \
+     reached %5.3f ratio %.2f\n\
      %!"
     (Filename.remove_extension (Filename.basename file))
     p.pixels finest.spp p.spent q.spp q.seconds q.low q.high wall work
-    (work /. q.seconds) q.error expected reached (reached /. expected)
+    (work /. q.seconds)
+    ((first.rays +. second.rays) /. (2. *. rays))
+    q.error expected reached (reached /. expected)
 
 let one ~pixels ~seconds ~most file =
   match Candor_read.Scene_file.read file with
