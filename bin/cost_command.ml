@@ -51,8 +51,8 @@ let run o =
   | None -> Error (Status.Interrupted "interrupted; nothing was written")
   | Some survey ->
       let prices = Appraisal.v scene ~file:o.scene ~domains budget survey in
-      let* () = write_csv (Price_text.csv prices) in
-      let* () = write_html (Page.html prices) in
+      let* () = write_csv (lazy (Price_text.csv prices)) in
+      let* () = write_html (lazy (Page.html prices)) in
       talk o prices survey.missing;
       print_string (Price_text.table scene prices);
       Ok Status.Fine

@@ -25,7 +25,8 @@ let writing_some name f =
   match name with
   | None -> f (fun _ -> Ok ())
   | Some name ->
-      writing name (fun file -> f (fun text -> wrong (Output.commit file text)))
+      writing name (fun file ->
+          f (fun text -> wrong (Output.commit file (Lazy.force text))))
 
 (* Only errors of opening name the file. *)
 let read name =

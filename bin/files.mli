@@ -13,10 +13,10 @@ val writing :
 
 val writing_some :
   string option ->
-  ((string -> (unit, Status.t) result) -> ('a, Status.t) result) ->
+  ((string Lazy.t -> (unit, Status.t) result) -> ('a, Status.t) result) ->
   ('a, Status.t) result
 (** [writing_some name f] is [f write], where [write text] writes the file
-    [name], if there is one to write. *)
+    [name], if there is one to write; else nobody asks for [text]. *)
 
 val wrong : ('a, string) result -> ('a, Status.t) result
 (** [wrong r] is [r], its error being what is wrong with an output. *)

@@ -68,18 +68,20 @@ let mapped file (s : Scene.t) window =
     let settings = { s.settings with spp; error = None; time = None } in
     Ok ({ s with settings }, Render.Map map)
 
-(* Seconds that writing the picture will take: a strip of noise tells. *)
+(* Seconds that making the picture, writing it and its ledger will take: a strip
+   of noise tells. *)
 let writing_time format ~binary window =
   let height = Window.height window in
-  let strip = Int.min 16 height in
+  let strip = Int.min 64 height in
   let noise x y =
     Candor_colour.Rgb.grey
       (Candor_sample.Key.float
          (Candor_sample.Key.v ~seed:0 ~x ~y ~sample:0 ~bounce:0 Film))
   in
-  let picture = Picture.init ~width:(Window.width window) ~height:strip noise in
   let clock = Clock.start () in
+  let picture = Picture.init ~width:(Window.width window) ~height:strip noise in
   ignore (Picture_file.encode format ~binary picture : string);
+  ignore (Ledger.output picture : Ledger.output);
   Clock.seconds clock *. float_of_int height /. float_of_int strip
 
 (* The scene as it is sampled, and how. *)
@@ -141,10 +143,11 @@ let run o =
       let* () = Files.wrong (Output.commit file text) in
       let* () =
         write_stats
-          (Json.to_string
-             (Ledger.json ~confidence:o.confidence scene plan report))
+          (lazy
+            (Json.to_string
+               (Ledger.json ~confidence:o.confidence scene plan report)))
       in
-      let* () = write_map (Sample_map.to_string report.map) in
+      let* () = write_map (lazy (Sample_map.to_string report.map)) in
       let warnings = Settings.warnings o.settings plan scene in
       if not o.quiet then
         Status.tell

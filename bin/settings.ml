@@ -104,7 +104,8 @@ let error =
 let time =
   option [ "time" ] duration "T"
     "Spend this time, such as $(b,30s) or $(b,5m), reading and writing \
-     included, on as many samples as it allows, where they are needed."
+     included, on as many samples as it allows, where they are needed. Pixels \
+     that there is no time for show what one nearby does."
 
 let domain_count =
   let parse s =

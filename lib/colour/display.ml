@@ -4,5 +4,6 @@ let encode x =
   else if x >= 1. then 255.
   else (x ** (1. /. 2.2)) *. 255.
 
-let level x = int_of_float (encode x +. 0.5)
+let nearest shown = int_of_float (shown +. 0.5)
+let level x = nearest (encode x)
 let decode n = (float_of_int n /. 255.) ** 2.2

@@ -7,6 +7,10 @@ val encode : float -> float
     rounding: 255 · clamp(x)^(1/2.2), in \[0;255\]. A [nan] encodes as 0; who
     calls it counts non-finite values before. *)
 
+val nearest : float -> int
+(** [nearest v] is the integer nearest to the displayed value [v], in \[0;255\],
+    half up. *)
+
 val level : float -> int
 (** [level x] is [encode x] rounded to the nearest integer, half up; in
     \[0;255\]. *)

@@ -27,6 +27,12 @@ type job = {
 (* What becomes of a part. *)
 type fate = Going | Stopped of { met : bool }
 
+type spent = {
+  taken : float; (* samples *)
+  effort : float; (* rays and tests *)
+  rate : float; (* seconds for each of the last of these *)
+}
+
 type state = {
   mean : float; (* samples a pixel, of the rung *)
   base : int; (* that all pixels have *)
@@ -36,9 +42,7 @@ type state = {
   full : bool array; (* parts of which all that may have more have the most *)
   fates : fate array;
   kept : Row.result array option; (* since the first part stopped *)
-  taken : float; (* samples *)
-  effort : float; (* rays and tests *)
-  rate : float; (* seconds for each of the last of these *)
+  spent : spent;
   forecasts : Forecast.t list; (* last first *)
 }
 
@@ -58,17 +62,17 @@ let ( let* ) = Option.bind
 let sum_over rows f =
   float_of_int (Array.fold_left (fun n row -> n + f row) 0 rows)
 
-let pass job s wanted =
+let pass job spent wanted =
   let before = left job in
   let* () = job.pass wanted in
   let taken = sum_over job.rows Row.total in
   let effort = sum_over job.rows Row.effort in
-  let more = effort -. s.effort in
+  let more = effort -. spent.effort in
   let rate =
     if before < infinity && more > 0. then (before -. left job) /. more
-    else s.rate
+    else spent.rate
   in
-  Some { s with taken; effort; rate }
+  Some { taken; effort; rate }
 
 (* {1 Judges} *)
 
@@ -209,20 +213,22 @@ let law s =
     Some (Float.max 1. (Float.min 1.5 (Float.log2 (s.before /. s.squares))))
   else None
 
-(* All pixels have as many; with four, they say how the others are shared out. So
-   do those of parts that stopped: judges of others ask them. *)
+let allocation job ~base =
+  Allocation.make job.window ~base ~cost:(work job) (squares job ~base)
+
+(* All pixels have as many, and say how the others are shared out. So do those of
+   parts that stopped: judges of others ask them. *)
 let lay job s base =
-  let* s = pass job s (fun _ _ -> base) in
-  let at x y = if base < streams then 1. else squares job ~base x y in
-  let cost = work job in
+  let* spent = pass job s.spent (fun _ _ -> base) in
   Some
     {
       s with
       mean = Float.max s.mean (float_of_int base);
       base;
-      allocation = Allocation.make job.window ~base ~cost at;
+      allocation = allocation job ~base;
       squares = sum_of_squares job ~base;
       before = s.squares;
+      spent;
     }
 
 (* {1 The others} *)
@@ -235,14 +241,14 @@ let share_out job s mean =
     let reached = Allocation.mean a (Part part) ~scale ~most in
     reached < mean *. (1. -. 0x1p-20)
   and needed = Array.init Part.count (is_needed job s) in
-  let* s =
-    pass job s (fun x y ->
+  let* spent =
+    pass job s.spent (fun x y ->
         let part = Part.of_pixel x y in
         if needed.(part) then
           Allocation.samples a ~scale:scales.(part) ~most x y
         else 0)
   in
-  Some (judge job { s with mean; full = Array.mapi full scales })
+  Some (judge job { s with mean; full = Array.mapi full scales; spent })
 
 (* {1 Forecasts} *)
 
@@ -252,12 +258,14 @@ let total_for_error job s sampling error =
   let a = s.allocation and law = Option.value (law s) ~default:1. in
   match Sampling.upper ~confidence sampling with
   | Some upper when upper > 0. ->
-      let scale = Allocation.for_mean a All ~most (s.taken /. pixels job) in
+      let scale =
+        Allocation.for_mean a All ~most (s.spent.taken /. pixels job)
+      in
       let now = Allocation.error a All ~law ~scale ~most in
       let share = now *. error *. error /. (upper *. upper) in
       let scale = Allocation.for_error a All ~law ~most share in
       Allocation.mean a All ~scale ~most *. pixels job
-  | Some _ | None -> s.taken
+  | Some _ | None -> s.spent.taken
 
 let next_rung job total =
   let rec from rung =
@@ -270,10 +278,11 @@ let next_rung job total =
 (* As many as there is time for, where the allocation wants them. *)
 let samples_left job s =
   let left = left job in
-  if left > 0. then left /. (s.rate *. Allocation.work s.allocation) else 0.
+  if left > 0. then left /. (s.spent.rate *. Allocation.work s.allocation)
+  else 0.
 
 let forecast job s =
-  let all = joined (samplings job) Part.all and taken = s.taken in
+  let all = joined (samplings job) Part.all and taken = s.spent.taken in
   let f =
     match job.target.error with
     | Some error ->
@@ -286,11 +295,12 @@ let forecast job s =
 
 (* {1 The way to the target} *)
 
-let is_done job s =
-  (* Less time is not worth another pass. *)
+(* Less time is not worth another pass. *)
+let is_over job =
   let enough = 0.01 in
-  let is_over = job.allowed < infinity && left job <= enough *. job.allowed in
-  is_over || not (List.exists (is_going s) Part.all)
+  job.allowed < infinity && left job <= enough *. job.allowed
+
+let is_done job s = is_over job || not (List.exists (is_going s) Part.all)
 
 (* The samples a pixel that there is time for, if a share of it is spent: parts
    that nobody asks any more take none. *)
@@ -308,9 +318,10 @@ let some_of_it = 0.25
 let rec spend job s ~share =
   if is_done job s then finish job s
   else
-    let before = s.taken in
+    let before = s.spent.taken in
     let* s = share_out job s (affordable job s ~share) in
-    if s.taken > before then spend job s ~share:most_of_it else finish job s
+    if s.spent.taken > before then spend job s ~share:most_of_it
+    else finish job s
 
 (* Until the error is small enough. *)
 let rec climb job s ~rung =
@@ -335,43 +346,66 @@ let rec climb job s ~rung =
    base, and a third leaves at least as much as one for the others. *)
 let rec broaden job s =
   let s = forecast job s and base = 2 * s.base in
-  let work_left = Float.max 0. (left job) /. s.rate in
-  let fits = 2. *. s.effort <= work_left and has_error = s.squares > 0. in
+  let work_left = Float.max 0. (left job) /. s.spent.rate in
+  let fits = 2. *. s.spent.effort <= work_left and has_error = s.squares > 0. in
   if not has_error then finish job s
   else if fits && base <= job.target.most then
     let* s = lay job s base in
     broaden job s
   else spend job s ~share:some_of_it
 
-let start job =
+(* {1 The first samples} *)
+
+(* As many as there is time for, in turns: each gives the pixels of one part a
+   sample. The first tells how long samples take. The result is also whether
+   there was time for all. *)
+let begin_with job samples =
+  let all = samples * Part.count in
+  let wanted turns x y =
+    let before = Part.turn (Part.of_pixel x y) in
+    (turns - before + Part.count - 1) / Part.count
+  in
+  let rec take spent turns =
+    let* spent = pass job spent (wanted turns) in
+    let each = spent.rate *. spent.effort /. float_of_int turns in
+    let more =
+      if spent.taken = 0. then 1
+      else if is_over job then 0
+      else
+        let affordable = most_of_it *. left job /. each in
+        int_of_float (Float.min (float_of_int (all - turns)) affordable)
+    in
+    if more = 0 then Some (spent, turns = all) else take spent (turns + more)
+  in
+  let none = { taken = 0.; effort = 0.; rate = 0. } in
+  take none (if left job = infinity then all else 1)
+
+let start job spent =
   let fate part =
     if Part.is_in job.window part then Going else Stopped { met = true }
   in
   {
-    mean = 0.;
-    base = 0;
-    allocation =
-      Allocation.make job.window ~base:1 ~cost:(fun _ _ -> 1.) (fun _ _ -> 1.);
-    squares = nan;
+    mean = float_of_int streams;
+    base = streams;
+    allocation = allocation job ~base:streams;
+    squares = sum_of_squares job ~base:streams;
     before = nan;
     full = Array.make Part.count false;
     fates = Array.init Part.count fate;
     kept = None;
-    taken = 0.;
-    effort = 0.;
-    rate = 0.;
+    spent;
     forecasts = [];
   }
 
-(* The first sample tells how long samples take; the fourth, the error. *)
 let run window rows target ~pass ~expect =
   let job =
     { window; rows; target; pass; expect; allowed = time_left target }
   in
-  let* s = lay job (start job) 1 in
-  let more = float_of_int (streams - 1) *. s.effort in
-  if target.most >= streams && left job >= more *. s.rate then
-    let* s = lay job s streams in
+  let* spent, is_complete = begin_with job (Int.min streams target.most) in
+  let stop ending = Some { results = results job; ending; forecasts = [] } in
+  if not is_complete then stop Out_of_time
+  else if target.most < streams then stop Out_of_samples
+  else
+    let s = start job spent in
     if Option.is_some target.error then climb job (judge job s) ~rung:0
     else broaden job s
-  else spend job s ~share:most_of_it

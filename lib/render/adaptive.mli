@@ -8,7 +8,9 @@
     first rung at which its judges' pixels, as they stand there, show an error
     that is small enough for the whole picture ({!Sampling.cautious}), or a
     sample that is not finite, or all that may have more have the most. It stays
-    as it is then; others may go on for a while.
+    as it is then; others may go on for a while. Where there is no time for four
+    samples of each pixel, the last of them go to some parts only, and if not
+    even for one, the other pixels have none ({!Stand_in}).
 
     {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
     pictures, over seeds, is the mean of all samples: how many a pixel has is a

@@ -12,7 +12,7 @@ let output picture =
   let clamped = ref 0 and squares = ref 0. in
   let lost x =
     let shown = Display.encode x in
-    let e = shown -. float_of_int (Display.level x) in
+    let e = shown -. float_of_int (Display.nearest shown) in
     squares := !squares +. (e *. e)
   in
   for y = 0 to height - 1 do
@@ -64,6 +64,13 @@ let sampling ~confidence (r : Render.report) =
   | (Some _ | None), (Some _ | None) ->
       if Option.is_some r.non_finite_pixel then
         "unknown: a sample is not finite"
+      else if Sample_map.least r.map = 0 then
+        let w = Sample_map.window r.map in
+        Printf.sprintf
+          "unknown: %s of %d have no sample and show what one nearby does%s"
+          (Plural.count (Sample_map.empty r.map) "pixel")
+          (Window.width w * Window.height w)
+          (target r)
       else
         let n = Sample_map.least r.map in
         Printf.sprintf "unknown: %s a pixel %s too few to tell, 4 are enough%s"

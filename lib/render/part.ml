@@ -18,6 +18,10 @@ let judges =
   let lists = Array.init count of_part in
   fun i -> lists.(i)
 
+(* Steps of 8 parts leave the least distance to those that had their turn, on
+   average; 8 times 23 is one more than 3 times 61. *)
+let turn i = modulo (23 * i)
+
 let is_in (w : Window.t) i =
   let rows = List.init (Int.min count (Window.height w)) (fun j -> w.y0 + j) in
   let is_at y = modulo (i - of_pixel w.x0 y) < Window.width w in

@@ -24,5 +24,9 @@ val advisers : (int * int) list * (int * int) list
 val judges : int -> int list
 (** [judges i] is the 48 parts that judge part [i]. *)
 
+val turn : int -> int
+(** [turn i] is the place of part [i], from 0 to 60, in an order in which the
+    first few lie as evenly in the picture as so many pixels can. *)
+
 val is_in : Window.t -> int -> bool
 (** [is_in window i] is whether the window has pixels of part [i]. *)

@@ -73,6 +73,12 @@ let mapped (job : job) map =
   let { Window.x0; y0; _ } = job.window in
   given job (fun i k -> Sample_map.samples map (x0 + k) (y0 + i))
 
+(* The pixels that [window] shows are more than its own where some have no
+   samples. *)
+let shown_by map window =
+  if Sample_map.least map > 0 then window
+  else Stand_in.window (Stand_in.of_map map) window
+
 (* {1 Adaptive ones} *)
 
 let adaptive job target =
@@ -100,20 +106,35 @@ let adaptive job target =
 
 (* {1 Reports} *)
 
-let report (job : job) (scene : Scene.t) ~seconds ~aim results =
+(* The picture of [window], made of rows of [job]. *)
+let shown (job : job) map window =
+  let of_rows = Picture.of_rows ~width:(Window.width job.window) in
+  if Sample_map.least map > 0 then of_rows
+  else
+    let stand_in = Stand_in.of_map map in
+    let width = Window.width window and height = Window.height window in
+    fun rows ->
+      let all = of_rows rows in
+      Picture.init ~width ~height (fun x y ->
+          let x, y = Stand_in.pixel stand_in (window.x0 + x) (window.y0 + y) in
+          Picture.pixel all (x - job.window.x0) (y - job.window.y0))
+
+let report (job : job) (scene : Scene.t) ~window ~seconds ~aim results =
   let list = Array.to_list results in
   let rows f = Array.map f results in
-  let width = Window.width job.window in
-  let picture = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.pixels))
-  and cut = Picture.of_rows ~width (rows (fun (r : Row.result) -> r.cut)) in
+  let map =
+    Sample_map.v ~width:scene.width ~height:scene.height ~spp:scene.settings.spp
+      job.window
+      (rows (fun (r : Row.result) -> r.counts))
+  in
+  let shown = shown job map window in
+  let picture = shown (rows (fun (r : Row.result) -> r.pixels))
+  and cut = shown (rows (fun (r : Row.result) -> r.cut)) in
   {
     picture;
     cut_off = lazy (Cut_off.of_picture (Brightest.of_scene scene) ~cut picture);
-    window = job.window;
-    map =
-      Sample_map.v ~width:scene.width ~height:scene.height
-        ~spp:scene.settings.spp job.window
-        (rows (fun (r : Row.result) -> r.counts));
+    window;
+    map;
     sampling =
       List.fold_left
         (fun sum r -> Sampling.join sum (Row.sampling r))
@@ -131,16 +152,16 @@ let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
   let window = Option.value window ~default:(Window.full scene) in
   let job = { domains; stop; progress; window; pixel } in
   let clock = Clock.start () in
-  let report = report job scene in
-  let of_rows rows =
-    Option.map (report ~seconds:(Clock.seconds clock) ~aim:None) rows
+  let report job ~aim rows =
+    report job scene ~window ~seconds:(Clock.seconds clock) ~aim rows
   in
   match Option.value samples ~default:(Uniform scene.settings.spp) with
-  | Uniform n -> of_rows (given job (fun _ _ -> n))
-  | Map map -> of_rows (mapped job map)
+  | Uniform n -> Option.map (report job ~aim:None) (given job (fun _ _ -> n))
+  | Map map ->
+      let job = { job with window = shown_by map window } in
+      Option.map (report job ~aim:None) (mapped job map)
   | Adaptive target ->
       Option.map
         (fun { Adaptive.results; ending; forecasts } ->
-          let aim = Some { target; ending; forecasts } in
-          report ~seconds:(Clock.seconds clock) ~aim results)
+          report job ~aim:(Some { target; ending; forecasts }) results)
         (adaptive job target)

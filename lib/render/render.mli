@@ -24,7 +24,8 @@ type report = {
   window : Window.t;
   map : Sample_map.t;
       (** the samples that the picture is made of: an adaptive render may have
-          taken more *)
+          taken more. It is of the window, and beyond where that shows the
+          {!Stand_in} of a pixel without samples. *)
   sampling : Sampling.t;  (** what they say of their error *)
   cut_off : Cut_off.t Lazy.t;
       (** what may be lost where paths were cut; for one domain to ask *)

@@ -27,7 +27,7 @@ let make ~x0 ~x1 y =
     sums = Float.Array.make (Pixel.slots * width) 0.;
     counts = Array.make width 0;
     known = Array.make width 0;
-    sampling = Array.make width Sampling.none;
+    sampling = Array.make width Sampling.unknown;
     history = Array.make Sys.int_size (Float.Array.create 0);
     parts = Array.make Part.count Sampling.none;
     first = Array.make width 0;
@@ -160,15 +160,17 @@ let first_non_finite (row : t) pixels =
 let result (row : t) =
   let pixels = Float.Array.create (3 * width row) in
   for i = 0 to width row - 1 do
+    let samples = row.counts.(i) in
     set_rgb pixels i
-      (Pixel.mean row.sums (Pixel.slots * i) ~samples:row.counts.(i))
+      (if samples = 0 then Rgb.black
+       else Pixel.mean row.sums (Pixel.slots * i) ~samples)
   done;
   {
     pixels;
     counts = Array.copy row.counts;
     cut =
       Float.Array.mapi
-        (fun i w -> w /. float_of_int row.counts.(i / 3))
+        (fun i w -> w /. float_of_int (Int.max 1 row.counts.(i / 3)))
         row.left_out;
     parts = Array.copy row.parts;
     non_finite = first_non_finite row pixels;

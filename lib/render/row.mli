@@ -48,7 +48,7 @@ type result = {
 }
 
 val result : t -> result
-(** [result row] is what its samples, at least one for each pixel, say so far.
+(** [result row] is what its samples say so far: a pixel without any is black.
 *)
 
 val sampling : result -> Sampling.t

@@ -17,6 +17,7 @@ let fold f m start =
   Array.fold_left (fun acc row -> Array.fold_left f acc row) start m.counts
 
 let least m = fold Int.min m max_int
+let empty m = fold (fun sum n -> if n = 0 then sum + 1 else sum) m 0
 let most m = fold Int.max m 0
 let total m = fold (fun sum n -> sum +. float_of_int n) m 0.
 
@@ -56,8 +57,8 @@ let most_samples = 1 lsl 31
 
 let run_of_string word =
   match List.map int_of_string_opt (String.split_on_char 'x' word) with
-  | [ Some n ] when 1 <= n && n <= most_samples -> Some (n, 1)
-  | [ Some n; Some k ] when 1 <= n && n <= most_samples && k >= 1 -> Some (n, k)
+  | [ Some n ] when 0 <= n && n <= most_samples -> Some (n, 1)
+  | [ Some n; Some k ] when 0 <= n && n <= most_samples && k >= 1 -> Some (n, k)
   | _ -> None
 
 let words line = List.filter (( <> ) "") (String.split_on_char ' ' line)
@@ -75,8 +76,8 @@ let row_of_string number width line =
         | None ->
             wrong number
               (Printf.sprintf
-                 "'%s': expected a number of samples, at least 1, such as 16 \
-                  or 16x3 for three pixels"
+                 "'%s': expected a number of samples, such as 16, or 16x3 for \
+                  three pixels"
                  word)
         | Some (_, k) when k > width - at ->
             wrong number
@@ -132,7 +133,8 @@ let of_lines = function
       else
         let row i = row_of_string (i + 3) (Window.width window) in
         let* rows = all (List.mapi row rows) in
-        Ok (v ~width ~height ~spp window (Array.of_list rows))
+        let map = v ~width ~height ~spp window (Array.of_list rows) in
+        if most map = 0 then wrong 3 "no pixel has a sample" else Ok map
   | ([] | [ _ ]) as lines ->
       let* _ = header (String.concat "" lines) in
       wrong 2 "expected 'window X0 Y0 X1 Y1'"

@@ -6,7 +6,7 @@ type t
 val v : width:int -> height:int -> spp:int -> Window.t -> int array array -> t
 (** [v ~width ~height ~spp window counts] is of a picture of that size, whose
     scene asks for [spp] samples per pixel at most, and whose rows in [window]
-    have [counts], each at least 1. *)
+    have [counts], none below 0 and one at least above. *)
 
 val window : t -> Window.t
 val width : t -> int
@@ -21,6 +21,12 @@ val samples : t -> int -> int -> int
     picture, which must be in the window. *)
 
 val least : t -> int
+(** [least m] is how many samples the pixel has that has fewest: 0 where one has
+    none, and shows what its {!Stand_in} does. *)
+
+val empty : t -> int
+(** [empty m] is how many pixels have none. *)
+
 val most : t -> int
 
 val total : t -> float

@@ -13,6 +13,8 @@ type t = {
 }
 
 let none = { values = 0.; unknown = 0.; quarter = 0.; half = 0.; fourth = 0. }
+let channels = 3
+let unknown = { none with values = float_of_int channels; unknown = 1. }
 
 let join a b =
   {
@@ -26,7 +28,6 @@ let join a b =
 (* {1 From samples} *)
 
 let streams = Sampler.streams
-let channels = 3
 let size ~samples stream = (samples - stream + streams - 1) / streams
 
 (* Rounding leaves less than this of numbers up to 255 that are alike. *)
@@ -82,7 +83,6 @@ let all_equal sums at ~samples k =
   samples mod streams = 0 && from 1
 
 let pixel sums at ~samples =
-  let unknown = { none with values = float_of_int channels; unknown = 1. } in
   if samples < streams then unknown
   else
     (* Local mutation: three sums over channels. *)

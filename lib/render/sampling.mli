@@ -22,6 +22,9 @@ type t
 val none : t
 (** [none] is of no pixels. *)
 
+val unknown : t
+(** [unknown] is of a pixel that tells nothing. *)
+
 val join : t -> t -> t
 (** [join a b] is of the pixels of both. Sums depend on the order in which they
     are made, in their last bits. *)

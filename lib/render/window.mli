@@ -10,3 +10,6 @@ val full : Scene.t -> t
 
 val width : t -> int
 val height : t -> int
+
+val join : t -> t -> t
+(** [join v w] is the least window that has the pixels of both. *)

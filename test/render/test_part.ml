@@ -46,6 +46,32 @@ let counted (w : Window.t) =
   let there = List.concat_map of_row rows in
   List.for_all (fun part -> Part.is_in w part = List.mem part there) Part.all
 
+(* The mean square of the distance from a part to the nearest of some. *)
+let distance_to parts =
+  let offsets = List.init 61 (fun i -> i - 30) in
+  let nearest part =
+    let add best (dx, dy) =
+      if List.mem (Part.of_pixel (part + dx) dy) parts then
+        Int.min best ((dx * dx) + (dy * dy))
+      else best
+    in
+    List.concat_map (fun dy -> List.map (fun dx -> (dx, dy)) offsets) offsets
+    |> List.fold_left add max_int
+  in
+  float_of_int (List.fold_left (fun sum i -> sum + nearest i) 0 Part.all) /. 61.
+
+(* A square lattice has a sixth of the area of each point. *)
+let turns () =
+  let in_turn = List.sort Int.compare (List.map Part.turn Part.all) in
+  Alcotest.(check (list int)) "each in turn" Part.all in_turn;
+  List.iter
+    (fun n ->
+      let first = List.filter (fun i -> Part.turn i < n) Part.all in
+      let area = 61. /. float_of_int n in
+      if distance_to first > 0.25 *. area then
+        Alcotest.failf "the first %d: %g" n (distance_to first))
+    [ 1; 2; 3; 5; 8; 13; 20; 30; 45; 60 ]
+
 let suite =
   ( "parts",
     [
@@ -56,4 +82,5 @@ let suite =
         ~print:(fun { Window.x0; y0; x1; y1 } ->
           Printf.sprintf "%d,%d,%d,%d" x0 y0 x1 y1)
         "a window has the parts of its pixels" window counted;
+      Law.example "the first few in turn lie evenly in the picture" turns;
     ] )

@@ -14,6 +14,7 @@ let () =
       Test_forecast.suite;
       Test_adaptive.suite;
       Test_sample_map.suite;
+      Test_stand_in.suite;
       Test_pace.suite;
       Test_picture.suite;
       Test_json.suite;
