@@ -341,16 +341,39 @@ let rec climb job s ~rung =
       let* s = share_out job s mean in
       climb job s ~rung
 
-(* While there is time for a larger base, for those who ask for no error. All
-   pixels have as many samples here: another such amount of work makes twice the
-   base, and a third leaves at least as much as one for the others. *)
+(* The mean square error, as a share of the base's, that [work] beyond it is
+   expected to leave. *)
+let error_after job a ~work =
+  let most = job.target.most in
+  let more = work /. Allocation.work a /. pixels job in
+  let mean = float_of_int (Allocation.base a) +. more in
+  let scale = Allocation.for_mean a All ~most mean in
+  Allocation.error a All ~law:1. ~scale ~most
+
+(* Who has a larger base knows better where samples are needed, but has fewer for
+   those places: this much of the error is worth it. *)
+let worth = 0.15
+
+(* Whether to take so much [work] that the base, all that pixels have, is twice
+   what it is, and still to leave as much for the others. *)
+let may_broaden job s =
+  let effort = s.spent.effort in
+  let work = Float.max 0. (left job) /. s.spent.rate in
+  let later () =
+    let a = Allocation.with_base s.allocation (2 * s.base) in
+    0.5 *. error_after job a ~work:(work -. effort)
+  in
+  2 * s.base <= job.target.most
+  && 2. *. effort <= work
+  && later () <= (1. +. worth) *. error_after job s.allocation ~work
+
+(* While there is time for a larger base, for those who ask for no error. *)
 let rec broaden job s =
-  let s = forecast job s and base = 2 * s.base in
-  let work_left = Float.max 0. (left job) /. s.spent.rate in
-  let fits = 2. *. s.spent.effort <= work_left and has_error = s.squares > 0. in
+  let s = forecast job s in
+  let has_error = s.squares > 0. in
   if not has_error then finish job s
-  else if fits && base <= job.target.most then
-    let* s = lay job s base in
+  else if may_broaden job s then
+    let* s = lay job s (2 * s.base) in
     broaden job s
   else spend job s ~share:some_of_it
 

@@ -160,6 +160,8 @@ let make window ~base ~cost f =
   let work = mean_weighted ~by:deviations costs in
   { window; base; deviations; parts; all; work }
 
+let base a = a.base
+let with_base a base = { a with base }
 let work a = a.work
 
 (* {1 Samples} *)

@@ -29,6 +29,13 @@ val samples : t -> scale:float -> most:int -> int -> int -> int
     power of two, or [most]: of the two nearest one at random, by the pixel's
     place. *)
 
+val base : t -> int
+(** [base a] is what each pixel has. *)
+
+val with_base : t -> int -> t
+(** [with_base a n] is [a] as it would be if each had [n], above [base a], and
+    they left half the squared error for twice the samples. *)
+
 val work : t -> float
 (** [work a] is what a sample beyond the base costs, on average, about. *)
 

@@ -207,8 +207,7 @@ let glass =
 
 (* The samples that each pixel has when there was time for what [samples] of each
    take, and the share of that time that was spent. *)
-let by_work samples =
-  let s = Lazy.force glass in
+let by_work s samples =
   let pixel = Pixel.compile s in
   let fresh () = Array.init s.height (Row.make ~x0:0 ~x1:s.width) in
   let take rows wanted =
@@ -230,15 +229,41 @@ let by_work samples =
         effort rows /. seconds )
 
 let slow_where_noisy () =
-  let _, spent = by_work 64. in
+  let _, spent = by_work (Lazy.force glass) 64. in
   if not (0.95 <= spent && spent <= 1.05) then
     Alcotest.failf "%g of the time" spent
+
+(* A wall behind a bar, whose shadow has a rim a few pixels wide; and as wide as
+   the picture. *)
+let shadow ~radius =
+  Written.scene
+    [
+      Written.size 48 36;
+      Written.flat_camera;
+      "(background .2)";
+      "(box (min -9 -9 -1) (max 9 9 0) (material (matte (color .8))))";
+      "(box (min -.2 -9 2) (max .2 9 2.1) (material (matte (color .8))))";
+      Printf.sprintf
+        "(sphere (center 2 0 6) (radius %g) (material (emitter (radiance %g))))"
+        radius
+        (4. /. (radius *. radius));
+    ]
+
+let for_some () =
+  let least s =
+    let counts, _ = by_work s 64. in
+    let of_row = Array.fold_left Int.min max_int in
+    Array.fold_left (fun n row -> Int.min n (of_row row)) max_int counts
+  in
+  let few = least (shadow ~radius:0.1) and all = least (shadow ~radius:2.) in
+  if not (4 <= few && 2 * few <= all && all <= 32) then
+    Alcotest.failf "%d for noise in few places, %d everywhere" few all
 
 (* What is left at the end is less than a turn of one part takes. *)
 let part_by_part () =
   List.iter
     (fun samples ->
-      let counts, spent = by_work samples in
+      let counts, spent = by_work (Lazy.force glass) samples in
       let of_part = Array.make Part.count 0 in
       let note y x n = of_part.(Part.turn (Part.of_pixel x y)) <- n in
       Array.iteri (fun y row -> Array.iteri (note y) row) counts;
@@ -454,6 +479,7 @@ let suite =
       Law.example "the time is spent" spends;
       Law.example "also if samples where there is noise take longer"
         slow_where_noisy;
+      Law.example "all pixels get few if a few pixels need many" for_some;
       Law.example
         "pixels that lie evenly have the samples that there is time for"
         part_by_part;

@@ -305,6 +305,23 @@ let of_part = function
   | Allocation.All -> "all"
   | Part i -> Printf.sprintf "part %d" i
 
+(* Nobody has less, and what they leave together is no more. *)
+let broader (c, scale) =
+  let a = make c and most = c.most in
+  let b = Allocation.with_base a (2 * c.base) in
+  let error a = Allocation.error a All ~law:1. ~scale ~most in
+  2 * c.base > most
+  || Allocation.base b = 2 * c.base
+     && List.for_all
+          (fun (x, y) ->
+            let had = Allocation.samples a ~scale ~most x y
+            and has = Allocation.samples b ~scale ~most x y in
+            has >= Int.max had (2 * c.base))
+          (places c)
+     && Allocation.mean b All ~scale ~most
+        >= Allocation.mean a All ~scale ~most *. (1. -. 1e-9)
+     && 0.5 *. error b <= error a *. (1. +. 1e-9)
+
 let suite =
   ( "allocations",
     [
@@ -332,5 +349,7 @@ let suite =
         Gen.(pair part (pair share (Draw.uniform 1. 1.5)))
         (fun (p, x) -> Printf.sprintf "%s of %s" (two x) (of_part p))
         inverts_error;
+      law "a larger base takes no sample away, and leaves no more error" scale
+        one broader;
       Law.example "samples go as the root of the error" shares;
     ] )
