@@ -261,9 +261,9 @@ let total_for_error job s sampling error =
       let scale =
         Allocation.for_mean a All ~most (s.spent.taken /. pixels job)
       in
-      let now = Allocation.error a All ~law ~scale ~most in
+      let now = Allocation.error a ~law ~scale ~most in
       let share = now *. error *. error /. (upper *. upper) in
-      let scale = Allocation.for_error a All ~law ~most share in
+      let scale = Allocation.for_error a ~law ~most share in
       Allocation.mean a All ~scale ~most *. pixels job
   | Some _ | None -> s.spent.taken
 
@@ -348,7 +348,7 @@ let error_after job a ~work =
   let more = work /. Allocation.work a /. pixels job in
   let mean = float_of_int (Allocation.base a) +. more in
   let scale = Allocation.for_mean a All ~most mean in
-  Allocation.error a All ~law:1. ~scale ~most
+  Allocation.error a ~law:1. ~scale ~most
 
 (* Who has a larger base knows better where samples are needed, but has fewer for
    those places: this much of the error is worth it. *)

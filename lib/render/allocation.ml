@@ -196,12 +196,12 @@ let mean a part ~scale ~most =
   let more = List.fold_left (fun sum c -> sum +. more c) 0. likes.classes in
   base +. (more /. Float.max 1. likes.pixels)
 
-let error a part ~law ~scale ~most =
-  let likes = likes a part and base = float_of_int a.base in
+let error a ~law ~scale ~most =
+  let base = float_of_int a.base in
   let left (deviation, _, v) =
     v *. ((base /. real a ~scale ~most deviation) ** law)
   in
-  let sum f = List.fold_left (fun sum c -> sum +. f c) 0. likes.classes in
+  let sum f = List.fold_left (fun sum c -> sum +. f c) 0. a.all.classes in
   let all = sum (fun (_, _, v) -> v) in
   if all > 0. then sum left /. all else 0.
 
@@ -232,5 +232,5 @@ let search a part ~most enough =
 let for_mean a part ~most n =
   search a part ~most (fun scale -> mean a part ~scale ~most >= n)
 
-let for_error a part ~law ~most share =
-  search a part ~most (fun scale -> error a part ~law ~scale ~most <= share)
+let for_error a ~law ~most share =
+  search a All ~most (fun scale -> error a ~law ~scale ~most <= share)

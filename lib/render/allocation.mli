@@ -48,14 +48,14 @@ val mean : t -> part -> scale:float -> most:int -> float
 (** [mean a part ~scale ~most] is how many samples that makes for each pixel of
     the part, on average, about. *)
 
-val error : t -> part -> law:float -> scale:float -> most:int -> float
-(** [error a part ~law ~scale ~most] is the mean square error that they leave,
-    as a share of the one that [base] samples leave. [law] is β. *)
+val error : t -> law:float -> scale:float -> most:int -> float
+(** [error a ~law ~scale ~most] is the mean square error that they leave in all
+    pixels, as a share of the one that [base] samples leave. [law] is β. *)
 
 val for_mean : t -> part -> most:int -> float -> float
 (** [for_mean a part ~most n] is the scale whose {!mean} is [n], or the greatest
     that changes anything. *)
 
-val for_error : t -> part -> law:float -> most:int -> float -> float
-(** [for_error a part ~law ~most share] is the scale whose {!error} is [share],
-    or the greatest that changes anything. *)
+val for_error : t -> law:float -> most:int -> float -> float
+(** [for_error a ~law ~most share] is the scale whose {!error} is [share], or
+    the greatest that changes anything. *)
