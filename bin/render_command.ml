@@ -68,8 +68,8 @@ let mapped file (s : Scene.t) window =
     let settings = { s.settings with spp; error = None; time = None } in
     Ok ({ s with settings }, Render.Map map)
 
-(* Seconds that making the picture, writing it and its ledger will take: a strip
-   of noise tells. *)
+(* Seconds that making the picture, writing it and most of its ledger will take:
+   a strip of noise tells. *)
 let writing_time format ~binary window =
   let height = Window.height window in
   let strip = Int.min 64 height in

@@ -359,6 +359,7 @@ let worth = 0.15
 let may_broaden job s =
   let effort = s.spent.effort in
   let work = Float.max 0. (left job) /. s.spent.rate in
+  (* Twice the samples leave half the squared error. *)
   let later () =
     let a = Allocation.with_base s.allocation (2 * s.base) in
     0.5 *. error_after job a ~work:(work -. effort)
@@ -384,24 +385,33 @@ let rec broaden job s =
    there was time for all. *)
 let begin_with job samples =
   let all = samples * Part.count in
+  let first =
+    let turn part =
+      if Part.is_in job.window part then Part.turn part else all
+    in
+    1
+    + List.fold_left (fun least part -> Int.min least (turn part)) all Part.all
+  in
   let wanted turns x y =
     let before = Part.turn (Part.of_pixel x y) in
     (turns - before + Part.count - 1) / Part.count
   in
   let rec take spent turns =
     let* spent = pass job spent (wanted turns) in
-    let each = spent.rate *. spent.effort /. float_of_int turns in
+    let is_complete = spent.taken >= float_of_int samples *. pixels job in
     let more =
-      if spent.taken = 0. then 1
-      else if is_over job then 0
+      if is_complete || is_over job then 0
       else
+        let each = spent.rate *. spent.effort /. float_of_int turns in
         let affordable = most_of_it *. left job /. each in
-        int_of_float (Float.min (float_of_int (all - turns)) affordable)
+        if affordable >= float_of_int (all - turns) then all - turns
+        else if affordable >= 1. then int_of_float affordable
+        else 0
     in
-    if more = 0 then Some (spent, turns = all) else take spent (turns + more)
+    if more = 0 then Some (spent, is_complete) else take spent (turns + more)
   in
   let none = { taken = 0.; effort = 0.; rate = 0. } in
-  take none (if left job = infinity then all else 1)
+  take none (if left job = infinity then all else Int.min all first)
 
 let start job spent =
   let fate part =

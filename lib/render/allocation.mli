@@ -33,8 +33,9 @@ val base : t -> int
 (** [base a] is what each pixel has. *)
 
 val with_base : t -> int -> t
-(** [with_base a n] is [a] as it would be if each had [n], above [base a], and
-    they left half the squared error for twice the samples. *)
+(** [with_base a n] is [a] with [n] samples for each pixel, above [base a], and
+    the same shares beyond: its {!error} is a share of what [n] samples leave.
+*)
 
 val work : t -> float
 (** [work a] is what a sample beyond the base costs, on average, about. *)
@@ -50,7 +51,7 @@ val mean : t -> part -> scale:float -> most:int -> float
 
 val error : t -> law:float -> scale:float -> most:int -> float
 (** [error a ~law ~scale ~most] is the mean square error that they leave in all
-    pixels, as a share of the one that [base] samples leave. [law] is β. *)
+    pixels, as a share of the one that {!base} samples leave. [law] is β. *)
 
 val for_mean : t -> part -> most:int -> float -> float
 (** [for_mean a part ~most n] is the scale whose {!mean} is [n], or the greatest

@@ -27,6 +27,9 @@ let output picture =
   let n = float_of_int (3 * width * height) in
   { clamped = !clamped; rounding = sqrt (!squares /. n) }
 
+(* Of the pixels of the picture, without those beyond that stand in for some. *)
+let map (r : Render.report) = Sample_map.crop r.map r.window
+
 let words_per_ray (r : Render.report) =
   r.words /. float_of_int (Int.max 1 (Tally.total_rays r.tally))
 
@@ -64,15 +67,13 @@ let sampling ~confidence (r : Render.report) =
   | (Some _ | None), (Some _ | None) ->
       if Option.is_some r.non_finite_pixel then
         "unknown: a sample is not finite"
-      else if Sample_map.least r.map = 0 then
-        let w = Sample_map.window r.map in
-        Printf.sprintf
-          "unknown: %s of %d have no sample and show what one nearby does%s"
-          (Plural.count (Sample_map.empty r.map) "pixel")
-          (Window.width w * Window.height w)
+      else if Sample_map.least (map r) = 0 then
+        Printf.sprintf "unknown: no sample in %s of %d, shown as one nearby%s"
+          (Plural.count (Sample_map.empty (map r)) "pixel")
+          (Window.width r.window * Window.height r.window)
           (target r)
       else
-        let n = Sample_map.least r.map in
+        let n = Sample_map.least (map r) in
         Printf.sprintf "unknown: %s a pixel %s too few to tell, 4 are enough%s"
           (Plural.count n "sample")
           (if n = 1 then "is" else "are")
@@ -107,8 +108,9 @@ let size w = Printf.sprintf "%dx%d" (Window.width w) (Window.height w)
 
 let samples (r : Render.report) =
   let least =
-    if Tally.get r.tally Spared_samples > 0 then 1 else Sample_map.least r.map
-  and most = Sample_map.most r.map in
+    let least = Sample_map.least (map r) in
+    if Tally.get r.tally Spared_samples > 0 then Int.min 1 least else least
+  and most = Sample_map.most (map r) in
   if least = most then string_of_int most
   else Printf.sprintf "%d..%d" least most
 
@@ -151,9 +153,9 @@ let json_image (scene : Scene.t) (r : Render.report) =
       ("width", Int (w.x1 - w.x0));
       ("height", Int (w.y1 - w.y0));
       ("crop", List [ Int w.x0; Int w.y0; Int w.x1; Int w.y1 ]);
-      ("spp", Int (Sample_map.most r.map));
-      ("least_spp", Int (Sample_map.least r.map));
-      ("samples", Float (Sample_map.total r.map));
+      ("spp", Int (Sample_map.most (map r)));
+      ("least_spp", Int (Sample_map.least (map r)));
+      ("samples", Float (Sample_map.total (map r)));
       ("spared_samples", Int (Tally.get r.tally Spared_samples));
       ("seed", Int scene.settings.seed);
     ]

@@ -26,7 +26,9 @@ val judges : int -> int list
 
 val turn : int -> int
 (** [turn i] is the place of part [i], from 0 to 60, in an order in which the
-    first few lie as evenly in the picture as so many pixels can. *)
+    first few lie evenly in the picture: the square of the distance to the
+    nearest of them is at most a quarter of the area that each has, on average.
+*)
 
 val is_in : Window.t -> int -> bool
 (** [is_in window i] is whether the window has pixels of part [i]. *)

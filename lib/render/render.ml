@@ -73,9 +73,8 @@ let mapped (job : job) map =
   let { Window.x0; y0; _ } = job.window in
   given job (fun i k -> Sample_map.samples map (x0 + k) (y0 + i))
 
-(* The pixels that [window] shows are more than its own where some have no
-   samples. *)
-let shown_by map window =
+(* What has to be rendered for [window] is more where pixels have no samples. *)
+let needed map window =
   if Sample_map.least map > 0 then window
   else Stand_in.window (Stand_in.of_map map) window
 
@@ -158,7 +157,7 @@ let run ?(domains = Rows.most_domains ()) ?(stop = fun () -> false)
   match Option.value samples ~default:(Uniform scene.settings.spp) with
   | Uniform n -> Option.map (report job ~aim:None) (given job (fun _ _ -> n))
   | Map map ->
-      let job = { job with window = shown_by map window } in
+      let job = { job with window = needed map window } in
       Option.map (report job ~aim:None) (mapped job map)
   | Adaptive target ->
       Option.map

@@ -9,7 +9,9 @@ open Candor_image
 (** How many samples the pixels are given. *)
 type samples =
   | Uniform of int  (** each so many, at least 1 *)
-  | Map of Sample_map.t  (** as it says; it contains the window *)
+  | Map of Sample_map.t
+      (** as it says; it contains the window. Pixels with none show their
+          {!Stand_in}. *)
   | Adaptive of Adaptive.target
 
 type aim = {
@@ -51,4 +53,4 @@ val run :
     [samples] (default: [Uniform] as [s] says). [progress] is told how far it is
     after each row, from whichever domain did it. [None] if [stop] answered
     [true] before the end. {b Law.} [Map (r.map)] renders the picture of report
-    [r] again, to the bit. *)
+    [r] again, to the bit, in the same window. *)

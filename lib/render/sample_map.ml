@@ -13,6 +13,14 @@ let height m = m.height
 let spp m = m.spp
 let samples m x y = m.counts.(y - m.window.y0).(x - m.window.x0)
 
+let crop m (w : Window.t) =
+  let row y =
+    Array.sub
+      m.counts.(w.y0 + y - m.window.y0)
+      (w.x0 - m.window.x0) (Window.width w)
+  in
+  { m with window = w; counts = Array.init (Window.height w) row }
+
 let fold f m start =
   Array.fold_left (fun acc row -> Array.fold_left f acc row) start m.counts
 

@@ -32,6 +32,10 @@ val most : t -> int
 val total : t -> float
 (** [total m] is the number of all samples. *)
 
+val crop : t -> Window.t -> t
+(** [crop m w] is the part of [m] in [w], which [m]'s window contains; all of it
+    may be without samples. *)
+
 val contains : t -> Window.t -> bool
 (** [contains m w] is [true] iff all of [w] is in [m]'s window. *)
 

@@ -7,7 +7,7 @@ let starts line prefix = String.starts_with ~prefix line
 let rec complete seconds =
   let budget = Printf.sprintf "%ds" seconds in
   let r = fine [ "cost"; "s.scene"; "--budget"; budget ] in
-  if contains r.err "no time was left for" && seconds < 60 then
+  if contains r.err "no time was left for" && 3 * seconds < 60 then
     complete (3 * seconds)
   else (seconds, r)
 
@@ -30,7 +30,8 @@ let listed () =
       "1/255";
     ];
   mentions r.err "s.scene: ";
-  mentions r.err (Printf.sprintf "of %d" seconds);
+  mentions r.err
+    (Printf.sprintf (if seconds < 10 then "of %d.0 s" else "of %d s") seconds);
   check_entries "no file is written" [ "s.scene" ]
 
 (* One that lights nothing: it shines from below. *)

@@ -278,11 +278,34 @@ let part_by_part () =
           (all (fun y row -> Array.for_all Fun.id (Array.mapi (alike y) row))
           && Array.for_all Fun.id (Array.mapi falls of_part))
       then Alcotest.failf "%g samples each: uneven" samples;
-      let most = Float.max 1.03 (0.025 /. samples)
-      and least = Float.min 0.97 (1. -. (0.05 /. samples)) in
+      (* A turn is a 61st of a sample each, give or take what pixels cost; and
+         none begins in the last fifth that it would fill. *)
+      let turn = 0.02 /. samples in
+      let least = 0.97 -. (1.25 *. turn) and most = 1.03 +. turn in
       if not (least <= spent && spent <= most) then
         Alcotest.failf "%g samples each: %g of the time" samples spent)
     [ 0.01; 0.1; 0.5; 0.9; 1.; 1.7; 3.5 ]
+
+(* Where most parts have no pixels, also the one whose turn is first. *)
+let small_windows () =
+  let s = noisy () in
+  List.iter
+    (fun (x0, y0, x1, y1) ->
+      let window = { Window.x0; y0; x1; y1 } in
+      let name = Window.show window in
+      let looks, left = clock ~seconds:10. ~step:1. in
+      let r = adaptive ~window (target ~left ~most:64 ()) s in
+      Alcotest.(check bool) name true (Sample_map.most r.map >= 1);
+      if Atomic.get looks > 30 then
+        Alcotest.failf "%s: %d looks" name (Atomic.get looks);
+      (* As soon as all have what they may have, that is the end. *)
+      let _, left = clock ~seconds:1e6 ~step:1e-3 in
+      let r = adaptive ~window (target ~left ~most:3 ()) s in
+      ends name Out_of_samples r;
+      Alcotest.(check int) name 3 (Sample_map.least r.map))
+    [
+      (0, 0, 1, 1); (5, 3, 6, 4); (15, 11, 16, 12); (3, 2, 8, 3); (7, 0, 8, 12);
+    ]
 
 (* {1 The same again} *)
 
@@ -483,6 +506,7 @@ let suite =
       Law.example
         "pixels that lie evenly have the samples that there is time for"
         part_by_part;
+      Law.example "so it is in windows of few pixels" small_windows;
       law "1, 2 and 5 domains give the same bits, map and forecasts" any_domains;
       law "its map renders the same bits" repeated;
       law "so it does in a crop" cropped;

@@ -191,11 +191,33 @@ let targets () =
     (adaptive ~error:0.5 ~most:3 alike)
     alike;
   check "no time"
-    "  sampling   unknown: 11 pixels of 12 have no sample and show what one \
-     nearby does   target 0.5 missed: out of time"
+    "  sampling   unknown: no sample in 11 pixels of 12, shown as one nearby   \
+     target 0.5 missed: out of time"
     ~met:false
     (adaptive ~left:(fun () -> -1.) ~error:0.5 ~most:64 alike)
     alike
+
+(* Numbers are of the window, whatever stands in for its pixels. *)
+let holes () =
+  let window = { Window.x0 = 1; y0 = 0; x1 = 3; y1 = 1 } in
+  let told counts =
+    let map =
+      Sample_map.v ~width:4 ~height:3 ~spp:16 (Window.full alike) counts
+    in
+    let r =
+      Render.run ~domains:1 ~window ~samples:(Map map)
+        (Candor_trace.Pixel.compile alike)
+        alike
+    in
+    told alike (Test_picture.get r)
+  in
+  Alcotest.(check string)
+    "one" "  sampling   unknown: no sample in 1 pixel of 2, shown as one nearby"
+    (told [| [| 4; 4; 0; 4 |]; [| 0; 4; 4; 4 |]; [| 4; 4; 4; 4 |] |]);
+  Alcotest.(check string)
+    "all"
+    "  sampling   unknown: no sample in 2 pixels of 2, shown as one nearby"
+    (told [| [| 0; 0; 0; 0 |]; [| 0; 0; 0; 0 |]; [| 0; 0; 0; 4 |] |])
 
 let misjudged () =
   let s = Test_adaptive.lone in
@@ -242,6 +264,7 @@ let suite =
       Law.example "what an 8-bit file loses" output;
       Law.example "the same as JSON" json;
       Law.example "whether a target was met, and why not" targets;
+      Law.example "how many pixels of the window have no sample" holes;
       Law.example "parts of a picture may misjudge each other" misjudged;
       Law.example "the error of sampling is told with its interval" intervals;
     ] )

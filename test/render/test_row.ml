@@ -37,8 +37,14 @@ let in_passes (s, y, passes) =
   let want i = 1 + greatest passes i in
   List.iter (fun p -> Row.take pixel some (fun i -> p.(i))) passes;
   let held =
+    let { Row.counts; pixels; cut; _ } = Row.result some in
+    let is_black a i =
+      List.for_all (fun k -> Float.Array.get a ((3 * i) + k) = 0.) [ 0; 1; 2 ]
+    in
     List.for_all
-      (fun i -> (Row.result some).counts.(i) = greatest passes i)
+      (fun i ->
+        counts.(i) = greatest passes i
+        && (counts.(i) > 0 || (is_black pixels i && is_black cut i)))
       (List.init s.width Fun.id)
   in
   Row.take pixel some want;

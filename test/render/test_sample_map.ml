@@ -65,7 +65,14 @@ let contained (m, _) =
     ]
   in
   let corner = { w with x1 = w.x0 + 1; y1 = w.y0 + 1 } in
-  Sample_map.contains m w
+  let crop w =
+    let part = Sample_map.crop m w in
+    Sample_map.window part = w
+    && List.for_all
+         (fun (x, y) -> Sample_map.(samples part x y = samples m x y))
+         (places w)
+  in
+  crop w && crop corner && Sample_map.contains m w
   && Sample_map.contains m corner
   && not (List.exists (Sample_map.contains m) wider)
 
