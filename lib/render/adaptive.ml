@@ -386,11 +386,8 @@ let rec broaden job s =
 let begin_with job samples =
   let all = samples * Part.count in
   let first =
-    let turn part =
-      if Part.is_in job.window part then Part.turn part else all
-    in
-    1
-    + List.fold_left (fun least part -> Int.min least (turn part)) all Part.all
+    List.filter (Part.is_in job.window) Part.all
+    |> List.fold_left (fun least part -> Int.min least (Part.turn part + 1)) all
   in
   let wanted turns x y =
     let before = Part.turn (Part.of_pixel x y) in
@@ -411,7 +408,7 @@ let begin_with job samples =
     if more = 0 then Some (spent, is_complete) else take spent (turns + more)
   in
   let none = { taken = 0.; effort = 0.; rate = 0. } in
-  take none (if left job = infinity then all else Int.min all first)
+  take none (if left job = infinity then all else first)
 
 let start job spent =
   let fate part =
