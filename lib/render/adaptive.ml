@@ -24,9 +24,6 @@ type job = {
   allowed : float; (* seconds that there were in the beginning *)
 }
 
-(* What becomes of a part. *)
-type fate = Going | Stopped of { met : bool }
-
 type spent = {
   taken : float; (* samples *)
   effort : float; (* rays and tests *)
@@ -40,8 +37,7 @@ type state = {
   squares : float; (* what the base shows of the squared error, of all pixels *)
   before : float; (* what half the base showed *)
   full : bool array; (* parts of which all that may have more have the most *)
-  fates : fate array;
-  kept : Row.result array option; (* since the first part stopped *)
+  jury : Jury.t;
   spent : spent;
   forecasts : Forecast.t list; (* last first *)
 }
@@ -74,84 +70,17 @@ let pass job spent wanted =
   in
   Some { taken; effort; rate }
 
-(* {1 Judges} *)
-
-let fewest = 100
-let are_together job = pixels job < float_of_int fewest
-let judges job part = if are_together job then Part.all else Part.judges part
-
-let is_going s part =
-  match s.fates.(part) with Going -> true | Stopped _ -> false
-
-(* Its samples have a say in what is still going on. *)
-let is_needed job s part =
-  let asks other = is_going s other && List.mem part (judges job other) in
-  is_going s part || List.exists asks Part.all
-
-(* What the samples of each part say. *)
-let samplings job =
-  let of_part part =
-    let add sum row = Sampling.join sum (Row.of_part row part) in
-    Array.fold_left add Sampling.none job.rows
-  in
-  Array.init Part.count of_part
-
-let joined samplings parts =
-  let add sum part = Sampling.join sum samplings.(part) in
-  List.fold_left add Sampling.none parts
-
-let is_small_enough job sampling =
-  let { error; confidence; _ } = job.target in
-  match (error, Sampling.cautious ~confidence sampling) with
-  | Some error, Some bound -> bound <= error
-  | Some _, None | None, (Some _ | None) -> false
-
-let results job = Array.map Row.result job.rows
-
-(* Who are judged together end together. *)
-let is_full job s part =
-  if are_together job then Array.for_all Fun.id s.full else s.full.(part)
-
-(* A pixel that is not finite stays so, and no error is met. (Those that it does
-   not judge go on: it has no say in how many samples they have.) *)
-let is_hopeless job s sampling =
-  Option.is_some job.target.error
-  && s.base >= streams
-  && Sampling.tells_nothing sampling
-
-(* Parts that stopped before stay as they were. *)
-let keep job s =
-  let now = results job in
-  match s.kept with
-  | None -> now
-  | Some before ->
-      let is_settled part = not (is_going s part) in
-      Array.mapi
-        (fun i row -> Row.merge row ~is_settled before.(i) now.(i))
-        job.rows
-
 let judge job s =
-  let samplings = samplings job in
-  let of_part part = function
-    | Stopped _ as fate -> fate
-    | Going ->
-        let sampling = joined samplings (judges job part) in
-        let met = is_small_enough job sampling in
-        if met || is_full job s part || is_hopeless job s sampling then
-          Stopped { met }
-        else Going
-  in
-  let fates = Array.mapi of_part s.fates in
-  let kept = if fates = s.fates then s.kept else Some (keep job s) in
-  { s with fates; kept }
+  let { error; confidence; _ } = job.target in
+  let jury = Jury.judge ~error ~confidence ~full:s.full job.rows s.jury in
+  { s with jury }
 
 (* {1 The end} *)
 
 (* What the ledger says of it is not to be at odds with its numbers; unless who
    asked for less than an even chance got what was asked for. *)
 let is_contradicted job results =
-  let add sum r = Sampling.join sum (Row.sampling r) in
-  let all = Array.fold_left add Sampling.none results in
+  let all = Sampling.sum Row.sampling results in
   let confidence = Float.min 0.5 job.target.confidence in
   match (job.target.error, Sampling.upper ~confidence all) with
   | Some error, Some upper -> upper > error
@@ -159,14 +88,13 @@ let is_contradicted job results =
   | None, (Some _ | None) -> false
 
 let ending job s results =
-  let met = function Stopped { met; _ } -> met | Going -> false in
-  if List.exists (is_going s) Part.all then Out_of_time
-  else if not (Array.for_all met s.fates) then Out_of_samples
+  if not (Jury.is_done s.jury) then Out_of_time
+  else if not (Jury.all_met s.jury) then Out_of_samples
   else if is_contradicted job results then Misjudged
   else Met
 
 let finish job s =
-  let results = keep job s in
+  let results = Jury.results job.rows s.jury in
   Some
     { results; ending = ending job s results; forecasts = List.rev s.forecasts }
 
@@ -240,7 +168,7 @@ let share_out job s mean =
   let full part scale =
     let reached = Allocation.mean a (Part part) ~scale ~most in
     reached < mean *. (1. -. 0x1p-20)
-  and needed = Array.init Part.count (is_needed job s) in
+  and needed = Array.init Part.count (Jury.is_needed s.jury) in
   let* spent =
     pass job s.spent (fun x y ->
         let part = Part.of_pixel x y in
@@ -282,7 +210,7 @@ let samples_left job s =
   else 0.
 
 let forecast job s =
-  let all = joined (samplings job) Part.all and taken = s.spent.taken in
+  let all = Jury.sampling job.rows and taken = s.spent.taken in
   let f =
     match job.target.error with
     | Some error ->
@@ -300,12 +228,12 @@ let is_over job =
   let enough = 0.01 in
   job.allowed < infinity && left job <= enough *. job.allowed
 
-let is_done job s = is_over job || not (List.exists (is_going s) Part.all)
+let is_done job s = is_over job || Jury.is_done s.jury
 
 (* The samples a pixel that there is time for, if a share of it is spent: parts
    that nobody asks any more take none. *)
 let affordable job s ~share =
-  let needed = List.length (List.filter (is_needed job s) Part.all) in
+  let needed = List.length (List.filter (Jury.is_needed s.jury) Part.all) in
   let part = float_of_int needed /. float_of_int Part.count in
   s.mean +. (share *. samples_left job s /. (part *. pixels job))
 
@@ -411,9 +339,6 @@ let begin_with job samples =
   take none (if left job = infinity then all else first)
 
 let start job spent =
-  let fate part =
-    if Part.is_in job.window part then Going else Stopped { met = true }
-  in
   {
     mean = float_of_int streams;
     base = streams;
@@ -421,8 +346,7 @@ let start job spent =
     squares = sum_of_squares job ~base:streams;
     before = nan;
     full = Array.make Part.count false;
-    fates = Array.init Part.count fate;
-    kept = None;
+    jury = Jury.start job.window;
     spent;
     forecasts = [];
   }
@@ -432,7 +356,10 @@ let run window rows target ~pass ~expect =
     { window; rows; target; pass; expect; allowed = time_left target }
   in
   let* spent, is_complete = begin_with job (Int.min streams target.most) in
-  let stop ending = Some { results = results job; ending; forecasts = [] } in
+  let stop ending =
+    let results = Array.map Row.result job.rows in
+    Some { results; ending; forecasts = [] }
+  in
   if not is_complete then stop Out_of_time
   else if target.most < streams then stop Out_of_samples
   else

@@ -16,12 +16,12 @@
     that is expected to cost at most 15 % of the error that the time allows; the
     rest of the time goes where {!Allocation} says.
 
-    {b Law.} Without [left], and with {!fewest} pixels or more, the mean of such
-    pictures, over seeds, is the mean of all samples: how many a pixel has is a
-    function of the samples of other parts. For shares, a part asks its advisers
-    what they showed when all pixels had the same number; for the end, its
-    judges, none of which asks it for shares. (With [left], the clock has a say,
-    and it knows what samples cost.) *)
+    {b Law.} Without [left], and with {!Jury.fewest} pixels or more, the mean of
+    such pictures, over seeds, is the mean of all samples: how many a pixel has
+    is a function of the samples of other parts. For shares, a part asks its
+    advisers what they showed when all pixels had the same number; for the end,
+    its judges, none of which asks it for shares. (With [left], the clock has a
+    say, and it knows what samples cost.) *)
 
 type target = {
   error : float option;
@@ -48,10 +48,6 @@ type outcome = {
   ending : ending;
   forecasts : Forecast.t list;  (** first to last *)
 }
-
-val fewest : int
-(** [fewest] is how many pixels are enough to judge each other. Fewer are judged
-    together: their mean is right only nearly. *)
 
 val run :
   Window.t ->

@@ -134,10 +134,7 @@ let report (job : job) (scene : Scene.t) ~window ~seconds ~aim results =
     cut_off = lazy (Cut_off.of_picture (Brightest.of_scene scene) ~cut picture);
     window;
     map;
-    sampling =
-      List.fold_left
-        (fun sum r -> Sampling.join sum (Row.sampling r))
-        Sampling.none list;
+    sampling = Sampling.sum Row.sampling results;
     aim;
     seconds;
     domains = job.domains;

@@ -136,7 +136,7 @@ type result = {
   words : float;
 }
 
-let sampling r = Array.fold_left Sampling.join Sampling.none r.parts
+let sampling r = Sampling.sum Fun.id r.parts
 
 let set_rgb a i (c : Rgb.t) =
   Float.Array.set a (3 * i) c.r;

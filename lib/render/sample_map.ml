@@ -19,7 +19,8 @@ let crop m (w : Window.t) =
       m.counts.(w.y0 + y - m.window.y0)
       (w.x0 - m.window.x0) (Window.width w)
   in
-  { m with window = w; counts = Array.init (Window.height w) row }
+  if w = m.window then m
+  else { m with window = w; counts = Array.init (Window.height w) row }
 
 let fold f m start =
   Array.fold_left (fun acc row -> Array.fold_left f acc row) start m.counts

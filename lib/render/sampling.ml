@@ -25,6 +25,8 @@ let join a b =
     fourth = a.fourth +. b.fourth;
   }
 
+let sum f xs = Array.fold_left (fun sum x -> join sum (f x)) none xs
+
 (* {1 From samples} *)
 
 let streams = Sampler.streams

@@ -29,6 +29,9 @@ val join : t -> t -> t
 (** [join a b] is of the pixels of both. Sums depend on the order in which they
     are made, in their last bits. *)
 
+val sum : ('a -> t) -> 'a array -> t
+(** [sum f xs] is of the pixels of all [f x], joined in their order. *)
+
 val pixel : floatarray -> int -> samples:int -> t
 (** [pixel sums i ~samples] is of one pixel, whose first [samples] samples are
     summed in the {!Candor_trace.Pixel.slots} of [sums] from [i] on. *)

@@ -12,6 +12,7 @@ let () =
       Test_part.suite;
       Test_allocation.suite;
       Test_forecast.suite;
+      Test_jury.suite;
       Test_adaptive.suite;
       Test_sample_map.suite;
       Test_stand_in.suite;
